@@ -1,0 +1,37 @@
+/* IRIS - row kernels: the only code that a port may replace.
+ *
+ * Each works on one row of n >= 0 pixels, reads and writes only [row, row + n), and gives the same bits on every port.
+ * The plain C body exists under the name with _c on every port; a port overrides by defining the plain name in its
+ * iris_port.h (see DESIGN notes in README.md). Masks: bit i of word i / 32 is pixel i; bits past n are kept.
+ */
+#ifndef IRIS_KERNEL_H
+#define IRIS_KERNEL_H
+
+#include <stdint.h>
+
+#include "iris_port.h"
+
+/* dst = (77 R + 150 G + 29 B + 128) >> 8. */
+void iris_row_luma_rgb888_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_luma_rgb888
+#define iris_row_luma_rgb888 iris_row_luma_rgb888_c
+#endif
+
+void iris_row_luma_bgr888_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_luma_bgr888
+#define iris_row_luma_bgr888 iris_row_luma_bgr888_c
+#endif
+
+/* dst = src with bytes 0 and 2 of each pixel exchanged. dst may be src. */
+void iris_row_swap_888_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_swap_888
+#define iris_row_swap_888 iris_row_swap_888_c
+#endif
+
+/* bit = src > limit. */
+void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int32_t n);
+#ifndef iris_row_above_u8
+#define iris_row_above_u8 iris_row_above_u8_c
+#endif
+
+#endif
