@@ -11,6 +11,7 @@ BUILD   ?= build
 OPT     ?= -O2
 PREFIX  ?= /usr/local
 DESTDIR ?=
+ARCH    ?=
 
 # The best port of the compiler's target; a native x86 build also asks this processor.
 ifeq ($(origin PORT),undefined)
@@ -26,18 +27,26 @@ ifeq ($(origin PORT),undefined)
   endif
 endif
 
-WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla -Wframe-larger-than=1024 -Werror -std=c99 -pedantic
-INTEGER  := -mgeneral-regs-only
-PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)
+# The library is integers only, and -mgeneral-regs-only holds it to that. Tools, examples and tests see include/ only
+# and may use floating point. Sanitizers enlarge frames and confuse flow warnings, so they are checked without.
 comma    := ,
-SANITIZE := $(if $(CHECKED),-fsanitize=address$(comma)undefined -fsanitize=alignment -fno-sanitize-recover=all -g -DIRIS_CHECKED)
+WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-larger-than=1024) -Werror -std=c99 -pedantic
+USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
+POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE
+INTEGER  := -mgeneral-regs-only
+PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter generic,$(PORT)),$(INTEGER))
+SANITIZE := $(if $(CHECKED),-fsanitize=$(if $(FUZZER),fuzzer-no-link$(comma))address$(comma)undefined \
+              -fno-sanitize-recover=all -fno-omit-frame-pointer -g -DIRIS_CHECKED)
 CFLAGS   ?=
+LDFLAGS  ?=
 BASE      = $(OPT) $(CFLAGS) $(SANITIZE) $(ARCH) -ffunction-sections -fdata-sections -MMD -MP
 INCLUDES := -Iinclude -Iport/cpu/$(PORT)
 
-KEY  := $(shell printf '%s' "$(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN)" | cksum | cut -d' ' -f1)
-OUT  := $(BUILD)/$(PORT)-$(OS)-$(PROFILE)-$(TARGET)-$(KEY)
-HOST := $(if $(CROSS_COMPILE),,yes)
+# One build folder per port, OS, profile, compiler and flags.
+FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) $(INTEGER) $(PORTISA) $(LDFLAGS) $(SYSROOT)
+KEY   := $(shell printf '%s' "$(FLAGS)" | cksum | cut -d' ' -f1)
+OUT   := $(BUILD)/$(PORT)-$(OS)-$(PROFILE)-$(TARGET)-$(KEY)
+HOST  := $(if $(CROSS_COMPILE),,yes)
 
 CORE_SRC := $(wildcard src/foundation/*.c src/xt/*.c)
 PORT_SRC := $(wildcard port/cpu/$(PORT)/*.c)
@@ -51,29 +60,38 @@ TOOL_OBJ := $(TOOL_SRC:%.c=$(OUT)/%.o)
 
 LIB    := $(OUT)/libiris.a
 OSLIB  := $(if $(OS_SRC),$(OUT)/libiris-$(OS).a)
+TOOL   := $(if $(TOOL_SRC),$(OUT)/iris)
 
-.PHONY: all help lib clean
+.PHONY: all help lib examples install uninstall clean
 .DELETE_ON_ERROR:
 
-all: lib $(if $(TOOL_SRC),$(OUT)/iris) ## the library and the command line tool (build/iris)
-	$(if $(and $(HOST),$(TOOL_SRC)),@ln -sf $(OUT:$(BUILD)/%=%)/iris $(BUILD)/iris)
+all: lib $(TOOL) ## builds the library and the command line tool (build/iris)
+	$(if $(and $(HOST),$(TOOL)),@ln -sf $(OUT:$(BUILD)/%=%)/iris $(BUILD)/iris)
 
 lib: $(LIB) $(OSLIB)
 
-help: ## this text
+help: ## prints this text
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  \1\t\2/' | expand -t 16
 	@sed -n 's/^# \(Set on.*\)/\n\1/p; s/^#  *\(CHECKED.*\)/                         \1/p' Makefile
 
-$(LIB): $(CORE_OBJ) $(PORT_OBJ)
-	@rm -f $@
-	$(AR) rcs $@ $^
+# The list of objects: an archive is made anew when a source has come or gone.
+$(OUT)/members: FORCE
+	@mkdir -p $(@D)
+	@echo "$(CORE_OBJ) $(PORT_OBJ) $(OS_OBJ) $(TOOL_OBJ)" | cmp -s - $@ || \
+	    echo "$(CORE_OBJ) $(PORT_OBJ) $(OS_OBJ) $(TOOL_OBJ)" > $@
+FORCE:
+.PHONY: FORCE
 
-$(OUT)/libiris-$(OS).a: $(OS_OBJ)
+$(LIB): $(CORE_OBJ) $(PORT_OBJ) $(OUT)/members
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(AR) rcs $@ $(filter %.o,$^)
+
+$(OUT)/libiris-$(OS).a: $(OS_OBJ) $(OUT)/members
+	@rm -f $@
+	$(AR) rcs $@ $(filter %.o,$^)
 
 $(OUT)/iris: $(TOOL_OBJ) $(OSLIB) $(LIB)
-	$(CC) $(BASE) -o $@ $^ -lm
+	$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) -lm
 
 $(OUT)/src/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -85,23 +103,41 @@ $(OUT)/port/cpu/%.o: port/cpu/%.c
 
 $(OUT)/port/os/%.o: port/os/%.c
 	@mkdir -p $(@D)
-	$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE -c -o $@ $<
+	$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) $(POSIX) -fstack-usage -c -o $@ $<
 
-# Tools, examples and tests see include/ only; they may use floating point.
-USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 $(OUT)/tools/%.o: tools/%.c
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) -Iinclude -D_POSIX_C_SOURCE=200809L -c -o $@ $<
+	$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -c -o $@ $<
 
 # Examples: one program per file.
 EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
-examples: $(EXAMPLES) ## every program under examples/
+examples: $(EXAMPLES) ## builds every program under examples/
 $(OUT)/examples/%: examples/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) -Iinclude -o $@ $^
-.PHONY: examples
+	$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
 
 include tests/tests.mk
+include $(wildcard tools/*/*.mk)
+
+VERSION := $(shell sed -n 's/.*IRIS_VERSION_TEXT *"\(.*\)"/\1/p' include/iris/version.h)
+HEADERS := $(shell cd include && find iris -name '*.h' | sort)
+INSTALL := $(DESTDIR)$(PREFIX)
+
+install: all ## installs headers, libraries, pkg-config file, tool and man page (PREFIX, DESTDIR)
+	@for h in $(HEADERS); do install -D -m 644 include/$$h "$(INSTALL)/include/$$h" || exit 1; done
+	@for l in $(LIB) $(OSLIB); do install -D -m 644 $$l "$(INSTALL)/lib/$${l##*/}" || exit 1; done
+	@mkdir -p "$(INSTALL)/lib/pkgconfig"
+	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' 'Name: IRIS' \
+	    'Description: machine vision in integers for small robots' 'Version: $(VERSION)' \
+	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris' \
+	    > "$(INSTALL)/lib/pkgconfig/iris.pc"
+	$(if $(TOOL),@install -D -m 755 $(TOOL) "$(INSTALL)/bin/iris")
+	$(if $(wildcard tools/iris/iris.1),@install -D -m 644 tools/iris/iris.1 "$(INSTALL)/share/man/man1/iris.1")
+
+uninstall: ## removes what install put there
+	rm -rf "$(INSTALL)/include/iris"
+	rm -f "$(INSTALL)/lib/libiris.a" "$(INSTALL)/lib/libiris-$(OS).a" "$(INSTALL)/lib/pkgconfig/iris.pc"
+	rm -f "$(INSTALL)/bin/iris" "$(INSTALL)/share/man/man1/iris.1"
 
 clean: ## removes the build folder
 	rm -rf $(BUILD)

@@ -1,12 +1,158 @@
 # The tests. Every program and script here prints TAP; tests/tally counts the lines and prints the last one.
+#
+#   tests/*.c tests/xt/*.c tests/linux/*.c   CMocka, one program each
+#   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
+#   tests/target/test_*.c                    bare metal, Unity, one firmware each
+#   tests/fuzz/*.c                           libFuzzer, one target each
+#   tests/check_*.sh                         the rules of the house; any other tests/*.sh is run with the host's tool
 
-UNIT_SRC := $(filter-out tests/target/%,$(wildcard tests/*.c tests/xt/*.c tests/linux/*.c))
+ifdef IRIS_DATA
+  export IRIS_DATA := $(abspath $(IRIS_DATA))
+endif
+export RUNNER CROSS_COMPILE OUT
+
+# --- one configuration: this PORT, this compiler, these flags ---
+
+UNIT_SRC := $(wildcard tests/*.c tests/xt/*.c $(if $(OSLIB),tests/$(OS)/*.c))
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(OUT)/tests/%)
+TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels,$@),-Isrc/foundation -Iport/cpu/$(PORT))
+CMOCKA   := $(if $(SYSROOT),-isystem $(SYSROOT)/usr/include -L$(SYSROOT)/usr/lib/aarch64-linux-gnu) -lcmocka
 
 $(OUT)/tests/%: tests/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) -Iinclude -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE -o $@ $^ -lcmocka -lm
+	$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) $(CMOCKA) -lm
+
+$(OUT)/tests/%.o: tests/%.c
+	@mkdir -p $(@D)
+	$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
+
+DIGEST_OBJ  := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/digest/*.c))
+DIGEST_HOST := $(OUT)/tests/digest/host.o
+DIGEST      := $(if $(DIGEST_OBJ),$(OUT)/digest)
+$(OUT)/digest: $(DIGEST_OBJ) $(LIB)
+	$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
 
 unit: $(UNIT_BIN) ## builds and runs the CMocka tests of this PORT and these flags
-	@tests/tally $(UNIT_BIN)
-.PHONY: unit
+	@tests/programs $(UNIT_BIN) | tests/tally
+
+.PHONY: unit verify verify-host verify-target
+PURITY := $(if $(CHECKED),,@tests/check_purity.sh $(LIB) $(OSLIB); tests/check_stack.sh $(OUT))
+verify-host: lib $(UNIT_BIN) $(DIGEST)
+	@tests/programs $(UNIT_BIN)
+	$(if $(DIGEST),@tests/check_digests.sh $(RUNNER) $(DIGEST))
+	$(PURITY)
+
+# --- bare metal: MACHINE is one of QEMU's; UNITY_ROOT is a checkout of Unity, else tests/target/unity speaks its macros ---
+
+MEMORY_microbit    := FLASH=256K RAM=16K
+MEMORY_mps2-an385  := FLASH=4M RAM=4M
+MEMORY_mps2-an386  := FLASH=4M RAM=4M
+ifdef MACHINE
+  LINK := -nostartfiles -Wl,--gc-sections -T tests/target/target.ld -Wl,--no-warn-rwx-segments \
+          $(patsubst %,-Wl$(comma)--defsym=%,$(subst K,*1024,$(subst M,*1048576,$(MEMORY_$(MACHINE))))) --specs=nano.specs
+endif
+UNITY_ROOT ?=
+UNITY      := $(if $(UNITY_ROOT),-I$(UNITY_ROOT)/src,-Itests/target/unity)
+TARGETINC  := -Itests/target $(UNITY) -DUNITY_INCLUDE_CONFIG_H
+
+START     := $(OUT)/tests/target/startup.o
+FIRMWARE  := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
+$(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(START) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
+	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+$(OUT)/digest.elf: $(filter-out $(DIGEST_HOST),$(DIGEST_OBJ)) $(START) $(LIB)
+	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+$(OUT)/unity.o: $(UNITY_ROOT)/src/unity.c
+	$(CC) $(BASE) $(TARGETINC) -c -o $@ $<
+
+verify-target: lib $(FIRMWARE) $(if $(DIGEST),$(OUT)/digest.elf)
+	@for elf in $(FIRMWARE); do tests/target/run $(MACHINE) $$elf --unity; done
+	$(if $(DIGEST),@tests/check_digests.sh tests/target/run $(MACHINE) $(OUT)/digest.elf)
+	$(PURITY)
+
+# --- fuzzing: clang's libFuzzer over the whole library built with it ---
+
+FUZZ_SRC := $(wildcard tests/fuzz/*.c)
+FUZZ_BIN := $(FUZZ_SRC:tests/fuzz/%.c=$(OUT)/fuzz/%)
+FUZZ_MAKE = $(MAKE) -s CC=clang CROSS_COMPILE= PORT=generic OPT=-O1 CHECKED=1 FUZZER=1
+$(OUT)/fuzz/%: tests/fuzz/%.c $(OSLIB) $(LIB)
+	@mkdir -p $(@D)
+	$(CC) $(USERWARN) $(BASE) -fsanitize=fuzzer -Iinclude -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
+
+FUZZ_RUNS ?= 20000
+FUZZ_TIME ?= 60
+fuzz: ## fuzzes for FUZZ_TIME seconds each, or one target alone with FUZZ=name
+	+@$(FUZZ_MAKE) fuzz-long
+fuzz-long: $(if $(FUZZ),$(OUT)/fuzz/$(FUZZ),$(FUZZ_BIN))
+	@tests/fuzz/run -max_total_time=$(FUZZ_TIME) $^ | tests/tally
+verify-fuzz: $(FUZZ_BIN)
+	@tests/fuzz/run -runs=$(FUZZ_RUNS) $^
+.PHONY: fuzz fuzz-long verify-fuzz
+
+# --- checks of the sources, examples, and the scripts of tests/*.sh ---
+
+verify-house:
+	@tests/check_layers.sh
+	@tests/check_sizes.sh
+	@tests/check_headers.sh
+
+verify-examples: $(EXAMPLES)
+	@tests/programs $(EXAMPLES)
+
+SCRIPTS := $(filter-out tests/check_%,$(wildcard tests/*.sh))
+verify-scripts: all
+	@tests/programs $(SCRIPTS)
+.PHONY: verify-house verify-examples verify-scripts
+
+# --- all of it: each layer is a make of its own, and no two of them share a build folder at the same time ---
+
+TAP      := $(BUILD)/tap
+JOBS     := $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j$(shell nproc 2>/dev/null || echo 2))
+CACHE    := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/iris
+A64_ROOT := $(CACHE)/arm64
+NATIVE   := $(MAKE) -s CHECKED= CROSS_COMPILE=
+A64      := $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-linux-gnu- SYSROOT=$(A64_ROOT) OS=linux \
+            PORT=$(if $(wildcard port/cpu/neon/iris_port.h),neon,generic) \
+            RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH=$(A64_ROOT)/usr/lib/aarch64-linux-gnu"
+CORTEX   := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none PORT=generic OPT=-Os
+M4       := $(CORTEX) MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
+M0       := $(CORTEX) MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
+CMOCKA_H := /usr/include/cmocka.h
+
+define layer
+LAYERS += $(1)
+layer-$(1): $(2)
+	+@tests/layer $(TAP)/$(1).tap "$(3)" $(4)
+.PHONY: layer-$(1)
+endef
+PORTS := generic $(filter-out generic,$(PORT))
+$(eval $(call layer,house,,g++,$(NATIVE) verify-house))
+$(foreach p,$(PORTS),$(eval $(call layer,$(p),,$(CMOCKA_H),$(NATIVE) PORT=$(p) verify-host)))
+$(foreach p,$(PORTS),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHECKED=1 PORT=$(p) verify-host)))
+$(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/include/cmocka.h,$(A64) verify-host))
+$(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
+$(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))
+$(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang,$(FUZZ_MAKE) verify-fuzz)))
+$(if $(EXAMPLES),$(eval $(call layer,examples,layer-$(PORT)-checked,,$(NATIVE) CHECKED=1 verify-examples)))
+$(if $(SCRIPTS),$(eval $(call layer,scripts,layer-$(PORT),,$(NATIVE) verify-scripts)))
+QUICK := house $(PORT)
+
+test: ## runs all tests; the last line counts passed, failed and skipped
+	@rm -rf $(TAP)
+	+@$(MAKE) --no-print-directory $(JOBS) $(LAYERS:%=layer-%)
+	@tests/tally $(LAYERS:%=$(TAP)/%.tap)
+
+test-quick: ## runs the rules of the house and this port's tests, in less than a minute
+	@rm -rf $(TAP)
+	+@$(MAKE) --no-print-directory $(JOBS) $(QUICK:%=layer-%)
+	@tests/tally $(QUICK:%=$(TAP)/%.tap)
+
+deps: ## installs what the tests need: Debian packages by apt, and CMocka for AArch64 in the cache folder
+	@tests/deps $(CACHE)
+
+SOURCES = $(shell find src include port tools examples tests -name '*.[ch]' | sort)
+format: ## formats every source file
+	clang-format -i $(SOURCES)
+
+lint: ## runs clang-format, cppcheck and clang-tidy; all must be silent
+	@tests/lint $(SOURCES)
+.PHONY: test test-quick deps format lint
