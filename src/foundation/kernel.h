@@ -34,4 +34,30 @@ void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int3
 #define iris_row_above_u8 iris_row_above_u8_c
 #endif
 
+/* For each block of 8 pixels: sum[b] = the sum of its pixels, below[b] bit i = src[8 b + i] < limit[b].
+ * A last block of fewer pixels counts only those; its higher bits are 0. */
+void iris_row_scan8_u8_c(uint8_t *below, uint16_t *sum, const uint8_t *src, const uint8_t *limit, int32_t n);
+#ifndef iris_row_scan8_u8
+#define iris_row_scan8_u8 iris_row_scan8_u8_c
+#endif
+
+/* sums += enter - leave, modulo 2^32: the sums of columns over a window that moves down by one row. */
+void iris_row_slide_u32_c(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
+#ifndef iris_row_slide_u32
+#define iris_row_slide_u32 iris_row_slide_u32_c
+#endif
+
+typedef struct {
+    int32_t side; /* of the square window: odd, 1 to 2047 */
+    int32_t c;    /* gray levels below the mean, -255 to 255 */
+} iris_row_window;
+
+/* bit i = src[i] > mean - c, where mean = (sums[i] + ... + sums[i + side - 1]) / side^2, exactly. sums holds
+ * n + side - 1 columns, each of at most 255 * side. */
+void iris_row_above_mean_u8_c(uint32_t *mask, const uint8_t *src, const uint32_t *sums,
+                              iris_row_window window, int32_t n);
+#ifndef iris_row_above_mean_u8
+#define iris_row_above_mean_u8 iris_row_above_mean_u8_c
+#endif
+
 #endif
