@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "iris/color.h"
 #include "iris_port.h"
 
 /* dst = (77 R + 150 G + 29 B + 128) >> 8. */
@@ -58,6 +59,12 @@ void iris_row_above_mean_u8_c(uint32_t *mask, const uint8_t *src, const uint32_t
                               iris_row_window window, int32_t n);
 #ifndef iris_row_above_mean_u8
 #define iris_row_above_mean_u8 iris_row_above_mean_u8_c
+#endif
+
+/* bit = the RGB888 pixel is in the range of a prepared test. */
+void iris_row_hsl_range_c(uint32_t *mask, const uint8_t *rgb, const iris_hsl_range_test *test, int32_t n);
+#ifndef iris_row_hsl_range
+#define iris_row_hsl_range iris_row_hsl_range_c
 #endif
 
 #endif

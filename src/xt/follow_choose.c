@@ -1,0 +1,114 @@
+/* Which chains are the line: those that continue each other over gaps are put together, and the best row of
+ * chains wins. */
+#include "follow_parts.h"
+
+static int32_t larger(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+static int32_t distance(int32_t a, int32_t b)
+{
+    return a > b ? a - b : b - a;
+}
+
+/* How far the chain reaches, roughly in pixels along it. */
+static int32_t length_of(const iris_follow_chain *chain)
+{
+    int32_t along_y = chain->bottom_y - chain->top_y + 1;
+    int32_t along_x =
+        distance(chain->top.left + chain->top.right, chain->bottom.left + chain->bottom.right) / 2;
+    int32_t length = larger(along_x, along_y) + (along_x < along_y ? along_x : along_y) / 2;
+    return larger(length, chain->widest);
+}
+
+static int32_t contrast_permil(const iris_follow_chain *chain)
+{
+    return chain->range_sum > 0 ? (int32_t)((int64_t)chain->contrast_sum * 1000 / chain->range_sum) : 0;
+}
+
+/* Columns between two runs, 0 when they overlap. */
+static int32_t columns_between(iris_span a, iris_span b)
+{
+    return larger(0, larger(a.left - b.right, b.left - a.right));
+}
+
+/* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the
+ * farther the gap, the farther to the side it may continue. */
+static int continues(const iris_follow *follow, const iris_follow_chain *near, const iris_follow_chain *far)
+{
+    int32_t gap = near->top_y - far->bottom_y;
+    if (far->bottom_y >= near->bottom_y || far->top_y >= near->top_y || gap > follow->size.h / 4) {
+        return 0;
+    }
+    int32_t aside = columns_between(near->top, far->bottom);
+    return aside <= (gap > 0 ? gap * 3 / 2 : 0) + 2;
+}
+
+/* Longer, higher in contrast, and nearer to the robot is better. */
+static int32_t score_of(const iris_follow *follow, const iris_follow_chain *chain)
+{
+    return (int32_t)((int64_t)length_of(chain) * contrast_permil(chain) * (follow->size.h + chain->bottom_y) /
+                     follow->size.h);
+}
+
+static int is_line_like(const iris_follow *follow, const iris_follow_chain *chain)
+{
+    int32_t needed = follow->config.contrast_permil + (1000 - follow->config.contrast_permil) / 6;
+    return chain->rows >= 2 && contrast_permil(chain) >= needed;
+}
+
+/* Is the whole long enough, thin enough for its length, and without more gaps than line? */
+static int is_line(const iris_follow *follow, int32_t farthest)
+{
+    int32_t length = 0, area = 0, rows = 0, bottom = 0;
+    for (int32_t c = farthest; c >= 0; c = follow->chains[c].next) {
+        const iris_follow_chain *chain = &follow->chains[c];
+        length += length_of(chain);
+        area += chain->area;
+        rows += chain->rows;
+        bottom = chain->bottom_y;
+    }
+    int32_t extent = bottom - follow->chains[farthest].top_y + 1;
+    int32_t shorter = follow->size.w < follow->size.h ? follow->size.w : follow->size.h;
+    return length >= shorter / 4 && (int64_t)length * length >= (int64_t)area * 5 / 4 && rows * 2 >= extent;
+}
+
+int32_t iris_follow_choose(iris_follow *follow)
+{
+    int32_t total[IRIS_FOLLOW_CHAINS];
+    uint8_t done[IRIS_FOLLOW_CHAINS] = {0};
+    int32_t best = -1;
+    for (int32_t round = 0; round < follow->chain_count; round++) {
+        int32_t i = -1; /* the nearest chain that is not done yet */
+        for (int32_t c = 0; c < follow->chain_count; c++) {
+            if (!done[c] && (i < 0 || follow->chains[c].bottom_y > follow->chains[i].bottom_y)) {
+                i = c;
+            }
+        }
+        iris_follow_chain *chain = &follow->chains[i];
+        done[i] = 1;
+        total[i] = 0;
+        if (chain->used || !is_line_like(follow, chain)) {
+            continue;
+        }
+        chain->next = -1;
+        for (int32_t c = 0; c < follow->chain_count; c++) {
+            if (c != i && done[c] && total[c] > total[i] && continues(follow, &follow->chains[c], chain)) {
+                total[i] = total[c];
+                chain->next = (int16_t)c;
+            }
+        }
+        total[i] += score_of(follow, chain);
+        if (best < 0 || total[i] > total[best]) {
+            best = i;
+        }
+    }
+    if (best < 0 || !is_line(follow, best)) {
+        return -1;
+    }
+    for (int32_t c = best; c >= 0; c = follow->chains[c].next) {
+        follow->chains[c].used = 1;
+    }
+    return best;
+}

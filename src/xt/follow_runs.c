@@ -1,0 +1,210 @@
+/* From the line bits of a row to its runs, and from the runs of successive rows to chains. */
+#include "follow_parts.h"
+
+#define NO_CHAIN 255
+
+static int32_t width(iris_span span)
+{
+    return span.right - span.left + 1;
+}
+
+/* Keeps the longest runs of the row. Two neighbors with little between them are one, with glare on it. */
+static void keep(iris_follow *follow, iris_span *runs, int32_t *count, int32_t left, int32_t right)
+{
+    iris_span run = {(int16_t)left, (int16_t)right};
+    if (right - left + 1 < follow->min_width) {
+        return;
+    }
+    if (*count > 0 && runs[*count - 1].right < left) {
+        iris_span *before = &runs[*count - 1];
+        int32_t narrower = width(*before) < width(run) ? width(*before) : width(run);
+        if ((left - before->right) * 2 <= narrower) {
+            before->right = run.right;
+            return;
+        }
+    }
+    if (*count < IRIS_FOLLOW_RUNS) {
+        runs[(*count)++] = run;
+        return;
+    }
+    int32_t shortest = 0;
+    for (int32_t i = 1; i < IRIS_FOLLOW_RUNS; i++) {
+        shortest = width(runs[i]) < width(runs[shortest]) ? i : shortest;
+    }
+    if (width(run) > width(runs[shortest])) {
+        runs[shortest] = run;
+    }
+}
+
+/* The runs of line bits, gaps of up to max_gap columns closed. Returns how many were kept. */
+static int32_t find_runs(iris_follow *follow, iris_span *runs)
+{
+    int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
+    int32_t count = 0, left = -1, right = -1;
+    for (int32_t b = 0; b < blocks; b++) {
+        uint32_t bits = follow->line[b];
+        int32_t x = 8 * b;
+        while (bits != 0) {
+            while (!(bits & 1u)) {
+                bits >>= 1;
+                x++;
+            }
+            if (left >= 0 && x - right - 1 > follow->max_gap) {
+                keep(follow, runs, &count, left, right);
+                left = -1;
+            }
+            left = left < 0 ? x : left;
+            if (bits == 0xff) {
+                bits = 0;
+                x += 8;
+            }
+            while (bits & 1u) {
+                bits >>= 1;
+                x++;
+            }
+            right = x - 1;
+        }
+    }
+    if (left >= 0) {
+        keep(follow, runs, &count, left, right);
+    }
+    return count;
+}
+
+/* Columns that a run shares with the end of a chain; touching diagonally counts. */
+static int32_t overlap(iris_span a, iris_span b)
+{
+    int32_t left = a.left > b.left ? a.left : b.left;
+    int32_t right = a.right < b.right ? a.right : b.right;
+    return right - left + 3;
+}
+
+/* The chain to write a new one over: a free one, else the smallest that has ended, if it is small. */
+static int32_t free_chain(iris_follow *follow)
+{
+    if (follow->chain_count < IRIS_FOLLOW_CHAINS) {
+        return follow->chain_count++;
+    }
+    int32_t smallest = -1;
+    for (int32_t c = 0; c < IRIS_FOLLOW_CHAINS; c++) {
+        const iris_follow_chain *chain = &follow->chains[c];
+        int open = chain->bottom_y >= follow->y - 1 - follow->max_gap;
+        if (!open && (smallest < 0 || chain->area < follow->chains[smallest].area)) {
+            smallest = c;
+        }
+    }
+    return smallest;
+}
+
+/* One sample of how the run stands out: its middle pixel against the floor there. */
+static void sample_contrast(iris_follow *follow, iris_follow_chain *chain, iris_span run, const uint8_t *gray)
+{
+    if (!gray) {
+        chain->contrast_sum += 1;
+        chain->range_sum += 1;
+        return;
+    }
+    int32_t x = (run.left + run.right) >> 1;
+    int32_t floor = follow->floor[x >> 3] >> 8;
+    int32_t bright = follow->config.kind == IRIS_FOLLOW_BRIGHT;
+    chain->contrast_sum += bright ? gray[x] - floor : floor - gray[x];
+    chain->range_sum += bright ? 255 - floor : floor;
+}
+
+/* Is the pixel on the line's side of the floor, if only by a third of the contrast asked for? */
+static int is_weak(const iris_follow *follow, const uint8_t *gray, int32_t x)
+{
+    int32_t floor = follow->floor[x >> 3] >> 8;
+    int32_t limit = follow->limit[x >> 3];
+    return follow->config.kind == IRIS_FOLLOW_BRIGHT ? (gray[x] - floor) * 3 > limit - floor
+                                                     : (floor - gray[x]) * 3 > floor - limit;
+}
+
+/* Where glare weakens the line, its run grows over weak pixels up to where it was in the row above. */
+static void grow(const iris_follow *follow, iris_span *run, iris_span above, const uint8_t *gray)
+{
+    while (run->left > above.left && is_weak(follow, gray, run->left - 1)) {
+        run->left--;
+    }
+    while (run->right < above.right && is_weak(follow, gray, run->right + 1)) {
+        run->right++;
+    }
+}
+
+static void append(iris_follow *follow, int32_t number, iris_span run, const uint8_t *gray)
+{
+    iris_follow_chain *chain = &follow->chains[number];
+    chain->bottom = run;
+    chain->bottom_y = (int16_t)follow->y;
+    chain->rows++;
+    chain->area += width(run);
+    if (width(run) > chain->widest) {
+        chain->widest = (int16_t)width(run);
+    }
+    sample_contrast(follow, chain, run, gray);
+}
+
+static void start_chain(iris_follow *follow, int32_t number, iris_span run)
+{
+    static const iris_follow_chain empty = {.next = -1};
+    iris_follow_chain *chain = &follow->chains[number];
+    *chain = empty;
+    chain->top = run;
+    chain->top_y = (int16_t)follow->y;
+}
+
+/* The chain that run continues with the largest overlap, among those that ended above and not in this row. */
+static int32_t best_chain(const iris_follow *follow, iris_span run, int32_t *most)
+{
+    int32_t best = -1;
+    for (int32_t c = 0; c < follow->chain_count; c++) {
+        const iris_follow_chain *chain = &follow->chains[c];
+        if (chain->bottom_y < follow->y && chain->bottom_y >= follow->y - 1 - follow->max_gap) {
+            int32_t shared = overlap(chain->bottom, run);
+            if (shared > 0 && (best < 0 || shared > *most)) {
+                best = c;
+                *most = shared;
+            }
+        }
+    }
+    return best;
+}
+
+void iris_follow_collect(iris_follow *follow, const uint8_t *gray)
+{
+    iris_span *runs = &follow->runs[follow->y * IRIS_FOLLOW_RUNS];
+    uint8_t *owner = &follow->owner[follow->y * IRIS_FOLLOW_RUNS];
+    int32_t count = find_runs(follow, runs);
+    for (int32_t i = 0; i < IRIS_FOLLOW_RUNS; i++) {
+        owner[i] = NO_CHAIN;
+    }
+    /* the pair of run and chain that share most comes first, so that a fork continues on its thicker side */
+    for (int32_t round = 0; round < count; round++) {
+        int32_t run = -1, chain = -1, most = 0;
+        for (int32_t i = 0; i < count; i++) {
+            int32_t shared = 0;
+            int32_t candidate = owner[i] == NO_CHAIN ? best_chain(follow, runs[i], &shared) : -1;
+            if (candidate >= 0 && shared > most) {
+                run = i;
+                chain = candidate;
+                most = shared;
+            }
+        }
+        if (run < 0) {
+            break;
+        }
+        if (gray && follow->chains[chain].bottom_y == follow->y - 1) {
+            grow(follow, &runs[run], follow->chains[chain].bottom, gray);
+        }
+        append(follow, chain, runs[run], gray);
+        owner[run] = (uint8_t)chain;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        int32_t chain = owner[i] == NO_CHAIN ? free_chain(follow) : -1;
+        if (chain >= 0) {
+            start_chain(follow, chain, runs[i]);
+            append(follow, chain, runs[i], gray);
+            owner[i] = (uint8_t)chain;
+        }
+    }
+}

@@ -1,0 +1,397 @@
+/* From the chosen chains to the result: one span per row, straight segments, angle, offsets, and bends. */
+#include "follow_parts.h"
+
+#define NONE IRIS_REGRESS_NONE
+
+typedef struct {
+    iris_follow *follow;
+    iris_span *spans; /* per row; overlays follow->runs */
+    int16_t *twice_x; /* per row, twice the center; overlays follow->owner */
+    int is_lane;
+    int32_t top, bottom; /* first and last row of the line */
+    int32_t upright_top; /* rows upright_top to bottom are fitted by row centers */
+    int32_t bar_bottom;  /* rows bar_top to bar_bottom lie across; bar_bottom < bar_top: none */
+    int32_t bar_top;
+    int32_t width; /* of the line near the robot */
+} shape;
+
+static int32_t width(iris_span span)
+{
+    return span.right - span.left + 1;
+}
+
+/* The run of row y that belongs to the line whose chain `*chain` covers the rows around y, or an empty one. Rows are asked
+ * for in order from the top; *chain moves on towards the robot. */
+static iris_span run_of(const iris_follow *follow, int32_t y, int32_t *chain)
+{
+    const iris_follow_chain *chains = follow->chains;
+    while (*chain >= 0 && y > chains[*chain].bottom_y) {
+        *chain = chains[*chain].next;
+    }
+    for (int32_t i = 0; *chain >= 0 && y >= chains[*chain].top_y && i < IRIS_FOLLOW_RUNS; i++) {
+        if (follow->owner[y * IRIS_FOLLOW_RUNS + i] == *chain) {
+            return follow->runs[y * IRIS_FOLLOW_RUNS + i];
+        }
+    }
+    return (iris_span){0, -1};
+}
+
+/* The columns between two lines. Where one of them has left the image on its side, up to that side. */
+static iris_span between(const iris_follow *follow, iris_span a, iris_span b, int a_is_left)
+{
+    iris_span left = a_is_left ? a : b, right = a_is_left ? b : a;
+    if (width(left) <= 0 && width(right) <= 0) {
+        return (iris_span){0, -1};
+    }
+    iris_span lane = {0, (int16_t)(follow->size.w - 1)};
+    if (width(left) > 0) {
+        lane.left = (int16_t)(left.right + 1);
+    }
+    if (width(right) > 0) {
+        lane.right = (int16_t)(right.left - 1);
+    }
+    return lane;
+}
+
+/* Is line a to the left of line b? Where they share rows, there; else by where they end. */
+static int is_left_of(const iris_follow *follow, int32_t a, int32_t b)
+{
+    int32_t sum = 0;
+    const iris_follow_chain *chain_a = &follow->chains[a], *chain_b = &follow->chains[b];
+    for (int32_t y = 0; y < follow->size.h; y++) {
+        iris_span span_a = run_of(follow, y, &a), span_b = run_of(follow, y, &b);
+        if (width(span_a) > 0 && width(span_b) > 0) {
+            sum += span_b.left + span_b.right - span_a.left - span_a.right;
+        }
+    }
+    return sum != 0 ? sum > 0 : chain_a->bottom.left < chain_b->bottom.left;
+}
+
+/* Rows in which the line is not seen have no span. The spans take the place of the runs: row y's span is written to where
+ * row y / 4's runs were, which are not needed any more. */
+static void gather_spans(shape *s, int32_t line, int32_t other)
+{
+    int line_is_left = other >= 0 && is_left_of(s->follow, line, other);
+    s->top = s->follow->size.h;
+    for (int32_t y = 0; y < s->follow->size.h; y++) {
+        iris_span span = run_of(s->follow, y, &line);
+        if (s->is_lane) {
+            span = between(s->follow, span, run_of(s->follow, y, &other), line_is_left);
+        }
+        if (width(span) > 0) {
+            s->top = y < s->top ? y : s->top;
+            s->bottom = y;
+        }
+        s->spans[y] = span;
+    }
+}
+
+/* A line that is much wider than high lies across as a whole. */
+static int lies_across(const shape *s)
+{
+    int32_t area = 0, rows = 0;
+    for (int32_t y = s->top; y <= s->bottom; y++) {
+        area += width(s->spans[y]);
+        rows += width(s->spans[y]) > 0;
+    }
+    return area / rows > (s->bottom - s->top + 1) * 3 / 2;
+}
+
+static int32_t mean_width(const shape *s, int32_t from, int32_t rows)
+{
+    int32_t sum = 0, count = 0;
+    for (int32_t y = from; y >= s->top && count < rows; y--) {
+        if (width(s->spans[y]) > 0) {
+            sum += width(s->spans[y]);
+            count++;
+        }
+    }
+    return count > 0 ? sum / count : 1;
+}
+
+/* Rows first down to last (first > last) hold something that lies across the line: span them by a straight
+ * line between the rows below and above. */
+static void bridge_crossing(shape *s, int32_t first, int32_t last)
+{
+    iris_span below = s->spans[first + 1], above = s->spans[last - 1];
+    int32_t rows = first - last + 2;
+    for (int32_t y = first; y >= last; y--) {
+        int32_t k = first + 1 - y;
+        s->spans[y].left = (int16_t)(below.left + (above.left - below.left) * k / rows);
+        s->spans[y].right = (int16_t)(below.right + (above.right - below.right) * k / rows);
+    }
+}
+
+/* Walks from the robot into the distance. Rows that are suddenly twice as wide hold a crossing, if the line
+ * goes on behind them where it should, or else a bend: the line turns to the side there. */
+static void find_bend(shape *s)
+{
+    int32_t usual = mean_width(s, s->bottom, 8) * 8; /* 3 fraction bits */
+    s->width = usual / 8;
+    for (int32_t y = s->bottom; y >= s->top; y--) {
+        int32_t w = width(s->spans[y]);
+        if (w <= 0) {
+            continue;
+        }
+        if (w * 8 <= usual * 2 + 16 || y == s->bottom) {
+            int32_t change = (w * 8 - usual) / 8;
+            usual += change > usual / 32 ? usual / 32 : change;
+            continue;
+        }
+        int32_t end = y;
+        while (end >= s->top && width(s->spans[end]) * 8 > usual * 3 / 2 + 16) {
+            end--;
+        }
+        iris_span behind = end >= s->top ? s->spans[end] : (iris_span){0, -1};
+        iris_span before = s->spans[y + 1];
+        if (width(before) > 0 && width(behind) > 0 && behind.right >= before.left - usual / 8 &&
+            behind.left <= before.right + usual / 8) {
+            bridge_crossing(s, y, end + 1);
+            y = end;
+        } else {
+            s->bar_bottom = y;
+            s->bar_top = end + 1;
+            s->upright_top = y + 1;
+            return;
+        }
+    }
+}
+
+/* Centers of the rows. Where a side of the image cuts the line, its hidden half is put back: as wide as the
+ * last whole row. */
+static void find_centers(shape *s)
+{
+    int32_t last = s->follow->size.w - 1;
+    int32_t whole = 0;
+    for (int32_t y = s->bottom; y >= s->upright_top && whole == 0; y--) {
+        iris_span span = s->spans[y];
+        whole = width(span) > 0 && span.left > 0 && span.right < last ? width(span) : 0;
+    }
+    for (int32_t y = s->bottom; y >= 0; y--) {
+        iris_span span = s->spans[y];
+        s->twice_x[y] = NONE;
+        if (width(span) <= 0) {
+            continue;
+        }
+        int32_t center = span.left + span.right;
+        if (s->is_lane || (span.left > 0 && span.right < last)) {
+            whole = width(span);
+        } else if (width(span) < whole && span.left > 0) {
+            center = 2 * span.left + whole;
+        } else if (width(span) < whole && span.right < last) {
+            center = 2 * span.right - whole;
+        }
+        s->twice_x[y] = (int16_t)center;
+    }
+}
+
+/* Column of a line in row y. Lines near the level have none: the caller asks only for |angle| below 80
+ * degrees. */
+static int32_t line_x_q16(const iris_line *line, int32_t y)
+{
+    int32_t tangent_q16 = line->dx / (line->dy >> 16);
+    return line->x_q16 + (int32_t)(((int64_t)(y * 65536 - line->y_q16) * tangent_q16) >> 16);
+}
+
+#define STEEP ((iris_angle)14563) /* 80 degrees */
+
+static int is_level(const iris_line *line)
+{
+    return line->angle > STEEP || line->angle < -STEEP;
+}
+
+/* Twice the distance, in pixels, of row y's center from the chord between rows y0 and y1. */
+static int32_t off_chord(const shape *s, int32_t y, int32_t y0, int32_t y1)
+{
+    int32_t chord = s->twice_x[y0] + (s->twice_x[y1] - s->twice_x[y0]) * (y - y0) / (y1 - y0);
+    int32_t off = s->twice_x[y] - chord;
+    return off < 0 ? -off : off;
+}
+
+/* Splits rows bottom to upright_top into straight pieces: the piece that bends most is split where it bends
+ * most. breaks[0] is the bottom, breaks[count] the top. Returns the count. */
+static int32_t split(const shape *s, int32_t *breaks)
+{
+    int32_t count = 1;
+    int32_t least_rows = s->follow->size.h / 16 > 4 ? s->follow->size.h / 16 : 4;
+    int32_t tolerance = s->width / 4 > 4 ? s->width / 4 : 4;
+    breaks[0] = s->bottom;
+    breaks[1] = s->upright_top;
+    while (breaks[1] < s->bottom && s->twice_x[breaks[1]] == NONE) {
+        breaks[1]++;
+    }
+    while (count < IRIS_FOLLOW_SEGMENTS_MAX - 1) {
+        int32_t at = -1, piece = 0, most = tolerance;
+        for (int32_t k = 0; k < count; k++) {
+            for (int32_t y = breaks[k] - least_rows; y >= breaks[k + 1] + least_rows; y--) {
+                if (s->twice_x[y] != NONE && off_chord(s, y, breaks[k + 1], breaks[k]) > most) {
+                    at = y;
+                    piece = k;
+                    most = off_chord(s, y, breaks[k + 1], breaks[k]);
+                }
+            }
+        }
+        if (at < 0) {
+            break;
+        }
+        for (int32_t k = count; k > piece; k--) {
+            breaks[k + 1] = breaks[k];
+        }
+        breaks[piece + 1] = at;
+        count++;
+    }
+    return count;
+}
+
+/* The straight line through the bar's pixels. */
+static iris_status fit_bar(const shape *s, iris_line *line)
+{
+    iris_moments moments = {0};
+    for (int32_t y = s->bar_top; y <= s->bar_bottom; y++) {
+        if (width(s->spans[y]) > 0) {
+            iris_moments_add_run(&moments, s->spans[y].left, s->spans[y].right, y);
+        }
+    }
+    return iris_regress_moments(line, &moments);
+}
+
+static void add_segment(iris_follow_result *result, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
+{
+    if (result->segment_count < IRIS_FOLLOW_SEGMENTS_MAX) {
+        iris_segment segment = {x0, y0, x1, y1};
+        result->segments[result->segment_count++] = segment;
+    }
+}
+
+static int32_t row_of(const iris_line *line, int32_t x)
+{
+    int32_t slope_q16 = line->dx >> 16 != 0 ? line->dy / (line->dx >> 16) : 0;
+    return (line->y_q16 + (int32_t)(((int64_t)(x * 65536 - line->x_q16) * slope_q16) >> 16) + 32768) >> 16;
+}
+
+/* The bar as a segment, from the side where the line comes in to the side where it goes. `from` is twice the
+ * column where the line comes in. Returns the direction: the bar's angle, towards the longer arm. */
+static iris_angle describe_bar(iris_follow_result *result, const shape *s, const iris_line *bar, int32_t from)
+{
+    int32_t left = s->follow->size.w, right = -1;
+    for (int32_t y = s->bar_top; y <= s->bar_bottom; y++) {
+        if (width(s->spans[y]) > 0) {
+            left = s->spans[y].left < left ? s->spans[y].left : left;
+            right = s->spans[y].right > right ? s->spans[y].right : right;
+        }
+    }
+    int32_t to_right = 2 * right - from >= from - 2 * left;
+    int32_t x0 = to_right ? left : right, x1 = to_right ? right : left;
+    add_segment(result, x0, row_of(bar, x0), x1, row_of(bar, x1));
+    if (to_right != (bar->angle >= 0)) {
+        return (iris_angle)(bar->angle >= 0 ? -16384
+                                            : 16384); /* it comes back a little: straight to the side */
+    }
+    return bar->angle;
+}
+
+/* Row y's center on the found segments: within a segment or the gap between two, or on the nearest one
+ * extended. */
+static int32_t segments_x_q16(const iris_follow_result *result, int32_t y)
+{
+    const iris_segment *best = NULL;
+    int32_t least = INT32_MAX;
+    for (int32_t k = 0; k < result->segment_count; k++) {
+        const iris_segment *segment = &result->segments[k];
+        int32_t away = y > segment->y0 ? y - segment->y0 : y < segment->y1 ? segment->y1 - y : 0;
+        if (away < least) {
+            best = segment;
+            least = away;
+        }
+    }
+    int32_t rows = best->y1 - best->y0, columns = best->x1 - best->x0;
+    if (columns > 4 * -rows || columns < 4 * rows) { /* level: no row but its own */
+        return (best->x0 + best->x1) * 32768;
+    }
+    return best->x0 * 65536 + columns * 4096 / rows * (y - best->y0) * 16;
+}
+
+static iris_q16 offset_of(const iris_follow *follow, int32_t x_q16)
+{
+    int32_t middle = (follow->size.w - 1) * 32768;
+    int32_t limit = follow->size.w * 65536; /* twice the half width to each side */
+    int32_t away = x_q16 - middle;
+    away = away > limit ? limit : away < -limit ? -limit : away;
+    return away / follow->size.w * 2;
+}
+
+/* The row's own center when it has one, else the segments' column there. */
+static iris_q16 offset_at(const iris_follow_result *result, const shape *s, int32_t y)
+{
+    int32_t x_q16 =
+        width(s->spans[y]) > 0 ? (s->spans[y].left + s->spans[y].right) * 32768 : segments_x_q16(result, y);
+    return offset_of(s->follow, x_q16);
+}
+
+static void describe_upright(iris_follow_result *result, const shape *s)
+{
+    int32_t breaks[IRIS_FOLLOW_SEGMENTS_MAX + 1];
+    int32_t count = split(s, breaks);
+    for (int32_t k = 0; k < count; k++) {
+        iris_line line;
+        int32_t y0 = breaks[k], y1 = breaks[k + 1];
+        if (iris_regress_rows(&line, s->twice_x, y1, y0, 2) != IRIS_OK) {
+            continue;
+        }
+        if (is_level(&line)) {
+            add_segment(result, s->twice_x[y0] / 2, y0, s->twice_x[y1] / 2, y1);
+        } else {
+            add_segment(result, (line_x_q16(&line, y0) + 32768) >> 16, y0,
+                        (line_x_q16(&line, y1) + 32768) >> 16, y1);
+        }
+        if (result->segment_count == 1) {
+            result->angle = line.angle;
+        }
+    }
+}
+
+static int32_t confidence(const shape *s)
+{
+    int32_t rows = 0, pixels_high = s->bottom - s->top + 1;
+    for (int32_t y = s->top; y <= s->bottom; y++) {
+        rows += width(s->spans[y]) > 0;
+    }
+    int32_t enough = s->follow->size.h / 2;
+    int32_t reach = pixels_high > enough ? 1000 : pixels_high * 1000 / enough;
+    return reach * rows / pixels_high;
+}
+
+void iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other)
+{
+    shape s = {.follow = follow, .spans = follow->runs, .twice_x = (int16_t *)(void *)follow->owner};
+    s.is_lane = other >= 0;
+    s.bar_bottom = -1;
+    gather_spans(&s, line, other);
+    s.upright_top = s.top;
+    if (s.is_lane) {
+        s.width = mean_width(&s, s.bottom, 8);
+    } else if (lies_across(&s)) {
+        s.bar_top = s.top;
+        s.bar_bottom = s.bottom;
+        s.upright_top = s.bottom + 1;
+    } else {
+        find_bend(&s);
+    }
+    find_centers(&s);
+    describe_upright(result, &s);
+    iris_line bar;
+    if (s.bar_bottom >= s.bar_top && fit_bar(&s, &bar) == IRIS_OK) {
+        int upright = s.upright_top <= s.bottom;
+        int32_t from = upright ? s.twice_x[s.upright_top] : follow->size.w - 1;
+        iris_angle direction = describe_bar(result, &s, &bar, from);
+        result->has_next = upright;
+        result->next_angle = upright ? direction : 0;
+        result->angle = upright ? result->angle : bar.angle;
+    }
+    int32_t ahead = (follow->size.h - 1) * follow->config.lookahead_permil / 1000;
+    result->width_px = mean_width(&s, s.bottom, follow->size.h);
+    result->offset_q16 = offset_of(follow, segments_x_q16(result, follow->size.h - 1));
+    result->lookahead_offset_q16 = offset_at(result, &s, ahead);
+    result->confidence_permil = confidence(&s);
+    result->rows = s.spans;
+}

@@ -1,0 +1,166 @@
+#include "iris/xt/regress.h"
+
+void iris_moments_add(iris_moments *moments, int32_t x, int32_t y)
+{
+    moments->n += 1;
+    moments->x += x;
+    moments->y += y;
+    moments->xx += (int64_t)x * x;
+    moments->xy += (int64_t)x * y;
+    moments->yy += (int64_t)y * y;
+}
+
+void iris_moments_add_run(iris_moments *moments, int32_t x0, int32_t x1, int32_t y)
+{
+    int64_t n = (int64_t)x1 - x0 + 1;
+    int64_t twice_sum = n * ((int64_t)x0 + x1);
+    /* sum of squares of x0..x1: n times the squared mean, plus n (n^2 - 1) / 12 around it, over a common
+     * denominator */
+    int64_t twelve_squares = 3 * twice_sum * ((int64_t)x0 + x1) + n * (n * n - 1);
+    moments->n += n;
+    moments->x += twice_sum / 2;
+    moments->y += n * y;
+    moments->xx += twelve_squares / 12;
+    moments->xy += twice_sum / 2 * y;
+    moments->yy += n * y * y;
+}
+
+/* sum (a - mean a)(b - mean b) without products beyond 64 bits: the whole part of the mean first, then the
+ * rest. */
+static int64_t centered(int64_t ab, int64_t a, int64_t b, int64_t n)
+{
+    int64_t qa = a / n, ra = a % n;
+    int64_t qb = b / n, rb = b % n;
+    int64_t around_whole = ab - qa * b - qb * (a - qa * n);
+    return around_whole - ra * rb / n;
+}
+
+/* Both values shifted right alike until they fit in 30 bits: their ratio is what counts. */
+static void shrink(int64_t *a, int64_t *b)
+{
+    while (*a > 0x3fffffff || *a < -0x3fffffff || *b > 0x3fffffff || *b < -0x3fffffff) {
+        *a >>= 1;
+        *b >>= 1;
+    }
+}
+
+static iris_q16 mean_q16(int64_t sum, int64_t n)
+{
+    int64_t whole = sum / n, rest = sum % n;
+    return (iris_q16)(whole * 65536 + rest * 65536 / n);
+}
+
+iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
+{
+    if (!line || !moments) {
+        return IRIS_ERR_ARG;
+    }
+    int64_t n = moments->n;
+    if (n < 1) {
+        return IRIS_ERR_RANGE;
+    }
+    int64_t xx = centered(moments->xx, moments->x, moments->x, n);
+    int64_t yy = centered(moments->yy, moments->y, moments->y, n);
+    int64_t twice_xy = -2 * centered(moments->xy, moments->x, moments->y, n);
+    int64_t difference = yy - xx;
+    if (twice_xy == 0 && difference == 0) {
+        return IRIS_ERR_RANGE;
+    }
+    shrink(&twice_xy, &difference);
+    /* the direction of largest spread has half the angle of (yy - xx, -2 xy), counted from straight up */
+    int32_t doubled = iris_atan2_angle((int32_t)twice_xy, (int32_t)difference);
+    line->angle = (iris_angle)(doubled >> 1);
+    line->dx = iris_sin_q30(line->angle);
+    line->dy = -iris_cos_q30(line->angle);
+    line->x_q16 = mean_q16(moments->x, n);
+    line->y_q16 = mean_q16(moments->y, n);
+    line->points = (int32_t)n;
+    return IRIS_OK;
+}
+
+/* Distance of a point from the line in quarter pixels (12 fraction bits of the direction keep it in 32 bits).
+ */
+static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
+{
+    int32_t from_x = twice_x * 2 - (line->x_q16 >> 14);
+    int32_t from_y = y * 4 - (line->y_q16 >> 14);
+    int32_t across = (from_x * (line->dy >> 18) - from_y * (line->dx >> 18)) >> 12;
+    return across < 0 ? -across : across;
+}
+
+static iris_status fit_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t limit_q2)
+{
+    iris_moments moments = {0};
+    for (int32_t y = y0; y <= y1; y++) {
+        if (twice_x[y] != IRIS_REGRESS_NONE &&
+            (limit_q2 < 0 || distance_q2(line, twice_x[y], y) <= limit_q2)) {
+            iris_moments_add(&moments, twice_x[y], 2 * y);
+        }
+    }
+    iris_line fitted;
+    iris_status status = iris_regress_moments(&fitted, &moments);
+    if (status == IRIS_OK) {
+        fitted.x_q16 /= 2; /* the moments were taken at twice the scale, so that centers are whole numbers */
+        fitted.y_q16 /= 2;
+        *line = fitted;
+    }
+    return status;
+}
+
+iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t trims)
+{
+    if (!line || !twice_x || y0 < 0 || y0 > y1 || y1 >= IRIS_SIDE_MAX || trims < 0 || trims > 4) {
+        return IRIS_ERR_ARG;
+    }
+    iris_line fitted = {0};
+    iris_status status = fit_rows(&fitted, twice_x, y0, y1, -1);
+    for (; status == IRIS_OK && trims > 0; trims--) {
+        int32_t sum = 0; /* at most 32767 rows of less than 2^16 each */
+        for (int32_t y = y0; y <= y1; y++) {
+            sum += twice_x[y] != IRIS_REGRESS_NONE ? distance_q2(&fitted, twice_x[y], y) >> 1 : 0;
+        }
+        int32_t limit = sum / fitted.points * 5; /* sum is halved: 2.5 times the mean */
+        fit_rows(&fitted, twice_x, y0, y1, limit < 4 ? 4 : limit);
+    }
+    if (status == IRIS_OK) {
+        *line = fitted;
+    }
+    return status;
+}
+
+static int32_t bit_at(const uint32_t *row, int32_t x)
+{
+    return (int32_t)(row[x / 32] >> (x % 32) & 1u);
+}
+
+/* The first x at or behind `x` whose bit is `value`, or w. Whole words of the other value are passed in one
+ * step. */
+static int32_t next_bit(const uint32_t *row, int32_t x, int32_t w, int32_t value)
+{
+    uint32_t skip = value ? 0u : ~0u;
+    while (x < w && bit_at(row, x) != value) {
+        x += x % 32 == 0 && row[x / 32] == skip ? 32 : 1;
+    }
+    return x < w ? x : w;
+}
+
+iris_status iris_regress_mask(iris_line *line, const iris_image *mask)
+{
+    if (!line || iris_image_check(mask) != IRIS_OK) {
+        return IRIS_ERR_ARG;
+    }
+    if (mask->format != IRIS_MASK1) {
+        return IRIS_ERR_FORMAT;
+    }
+    iris_moments moments = {0};
+    for (int32_t y = 0; y < mask->h; y++) {
+        const uint32_t *row = (const uint32_t *)iris_image_row(mask, y);
+        int32_t start = next_bit(row, 0, mask->w, 1);
+        while (start < mask->w) {
+            int32_t end = next_bit(row, start, mask->w, 0);
+            iris_moments_add_run(&moments, start, end - 1, y);
+            start = next_bit(row, end, mask->w, 1);
+        }
+    }
+    return iris_regress_moments(line, &moments);
+}
