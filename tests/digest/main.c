@@ -1,0 +1,141 @@
+/* Runs every operation and prints `name digest` lines. */
+#include "digest.h"
+
+#include <string.h>
+
+static const digest_operation *const tables[] = {
+    digest_image,
+    digest_fixed,
+    digest_draw,
+    digest_command,
+};
+
+static IRIS_SCRATCH_BUFFER(arena, DIGEST_ARENA_BYTES);
+static struct {
+    iris_scratch memory;
+    uint64_t hash; /* FNV-1a */
+    uint32_t random;
+    int exhausted;
+} state;
+
+void *digest_take(size_t bytes)
+{
+    void *block = iris_scratch_take(&state.memory, bytes);
+    if (!block) {
+        state.exhausted = 1;
+        return arena.memory;
+    }
+    return memset(block, 0, bytes);
+}
+
+iris_scratch digest_scratch(size_t bytes)
+{
+    iris_scratch scratch;
+    (void)iris_scratch_init(&scratch, digest_take(bytes), bytes);
+    return scratch;
+}
+
+uint32_t digest_random(void)
+{
+    state.random = state.random * 1664525u + 1013904223u;
+    return state.random >> 8;
+}
+
+int32_t digest_between(int32_t low, int32_t high)
+{
+    return low + (int32_t)(digest_random() % (uint32_t)(high - low + 1));
+}
+
+iris_image digest_canvas(iris_format format, int32_t w, int32_t h)
+{
+    iris_image image = {0};
+    size_t bytes = iris_format_row_bytes(format, w) * (size_t)h;
+    if (iris_image_wrap(&image, digest_take(bytes), bytes, (iris_size){w, h}, 0, format) != IRIS_OK) {
+        state.exhausted = 1;
+    }
+    return image;
+}
+
+/* The level of byte i of a row that has n: light falls from left to right, a dark line leans through the picture, one
+ * spot is saturated, and noise lies over everything. */
+static uint8_t level(int32_t i, int32_t n, int32_t y)
+{
+    int32_t value = 220 - 120 * i / n;
+    int32_t from_line = i - n / 3 - y / 2;
+    if (from_line >= 0 && from_line < n / 8 + 1) {
+        value /= 4;
+    }
+    if (i > n * 3 / 4 && y % 16 < 5) {
+        value = 255;
+    }
+    value += digest_between(-8, 8);
+    return (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
+}
+
+iris_image digest_picture(iris_format format, int32_t w, int32_t h)
+{
+    iris_image image = digest_canvas(format, w, h);
+    int32_t bytes = (int32_t)iris_format_row_bytes(format, w);
+    for (int32_t y = 0; y < h; y++) {
+        uint8_t *row = iris_image_row(&image, y);
+        for (int32_t i = 0; i < bytes; i++) {
+            row[i] = level(i, bytes, y);
+        }
+    }
+    return image;
+}
+
+void digest_bytes(const void *data, size_t bytes)
+{
+    const uint8_t *byte = data;
+    for (size_t i = 0; i < bytes; i++) {
+        state.hash = (state.hash ^ byte[i]) * 1099511628211u;
+    }
+}
+
+void digest_view(const iris_image *view)
+{
+    for (int32_t y = 0; y < view->h; y++) {
+        digest_bytes(iris_image_row(view, y), iris_format_row_bytes(view->format, view->w));
+    }
+}
+
+void digest_number(int64_t number)
+{
+    uint8_t bytes[8];
+    for (int i = 0; i < 8; i++) {
+        bytes[i] = (uint8_t)((uint64_t)number >> (8 * i));
+    }
+    digest_bytes(bytes, sizeof bytes);
+}
+
+static void print_line(const char *name)
+{
+    char line[64];
+    size_t length = strlen(name);
+    memcpy(line, name, length);
+    line[length++] = ' ';
+    for (int shift = 60; shift >= 0; shift -= 4) {
+        line[length++] = "0123456789abcdef"[state.hash >> shift & 15];
+    }
+    line[length++] = '\n';
+    line[length] = '\0';
+    target_print(line);
+}
+
+int main(void)
+{
+    for (size_t t = 0; t < sizeof tables / sizeof tables[0]; t++) {
+        for (const digest_operation *operation = tables[t]; operation->name; operation++) {
+            (void)iris_scratch_init(&state.memory, arena.memory, sizeof arena.memory);
+            state.hash = 14695981039346656037u;
+            state.random = 1;
+            operation->run();
+            print_line(operation->name);
+        }
+    }
+    if (state.exhausted) {
+        target_print("an operation needs more than the arena has\n");
+    }
+    return state.exhausted;
+}
