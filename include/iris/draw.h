@@ -9,6 +9,7 @@
 #ifndef IRIS_DRAW_H
 #define IRIS_DRAW_H
 
+#include "iris/color.h"
 #include "iris/image.h"
 
 #ifdef __cplusplus
@@ -20,10 +21,6 @@ extern "C" {
 #define IRIS_TEXT_CELL_H 8
 
 #define IRIS_TEXT_SCALE_MAX 64
-
-typedef struct {
-    uint8_t r, g, b;
-} iris_color;
 
 /* Straight line, both ends included (Bresenham 1965). The same pixels from either end: where two pixels are
  * equally near, the one on the side of the right end (mostly horizontal lines) or of the lower end (the

@@ -1,0 +1,325 @@
+#include "iris/color.h"
+
+#include <string.h>
+
+#include "hsl.h"
+#include "kernel.h"
+
+/* Pixels that go through RGB on the stack at a time; even, for YUV in pairs. */
+#define PIECE 64
+
+/* ---- rows, arguments checked ---- */
+
+static void copy_row(uint8_t *dst, const uint8_t *src, size_t bytes)
+{
+    if (dst != src) {
+        memcpy(dst, src, bytes);
+    }
+}
+
+static void rgb_from_gray(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++, dst += 3) {
+        dst[0] = dst[1] = dst[2] = src[i];
+    }
+}
+
+/* high: which of a pixel's two bytes holds R. */
+static void rgb_from_565(uint8_t *dst, const uint8_t *src, int32_t n, int high)
+{
+    for (int32_t i = 0; i < n; i++, src += 2, dst += 3) {
+        uint32_t r = src[high] >> 3u;
+        uint32_t g = (src[high] << 3u | src[1 - high] >> 5u) & 63u;
+        uint32_t b = src[1 - high] & 31u;
+        dst[0] = (uint8_t)(r << 3 | r >> 2);
+        dst[1] = (uint8_t)(g << 2 | g >> 4);
+        dst[2] = (uint8_t)(b << 3 | b >> 2);
+    }
+}
+
+static uint8_t clamp_u8(int32_t value)
+{
+    return (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
+}
+
+/* BT.601, limited range, in 1/256. y: which of the first two bytes is Y. */
+static void rgb_from_yuv(uint8_t *dst, const uint8_t *src, int32_t n, int y)
+{
+    for (int32_t i = 0; i < n; i += 2, src += 4) {
+        int32_t u = src[1 - y] - 128, v = src[3 - y] - 128;
+        for (int k = 0; k < 2; k++, dst += 3) {
+            int32_t luma = 298 * (src[y + 2 * k] - 16) + 128;
+            dst[0] = clamp_u8((luma + 409 * v) >> 8);
+            dst[1] = clamp_u8((luma - 100 * u - 208 * v) >> 8);
+            dst[2] = clamp_u8((luma + 516 * u) >> 8);
+        }
+    }
+}
+
+/* The formats that arrive from cameras and files. */
+static int is_camera_format(iris_format format)
+{
+    switch (format) {
+    case IRIS_GRAY8:
+    case IRIS_RGB888:
+    case IRIS_BGR888:
+    case IRIS_RGB565:
+    case IRIS_RGB565_SWAP:
+    case IRIS_YUYV:
+    case IRIS_UYVY:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static void rgb_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n)
+{
+    switch (format) {
+    case IRIS_GRAY8:
+        rgb_from_gray(dst, src, n);
+        break;
+    case IRIS_BGR888:
+        iris_row_swap_888(dst, src, n);
+        break;
+    case IRIS_RGB565:
+        rgb_from_565(dst, src, n, 1);
+        break;
+    case IRIS_RGB565_SWAP:
+        rgb_from_565(dst, src, n, 0);
+        break;
+    case IRIS_YUYV:
+        rgb_from_yuv(dst, src, n, 0);
+        break;
+    case IRIS_UYVY:
+        rgb_from_yuv(dst, src, n, 1);
+        break;
+    default: /* IRIS_RGB888 */
+        copy_row(dst, src, 3 * (size_t)n);
+        break;
+    }
+}
+
+static void bgr_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n)
+{
+    if (format == IRIS_BGR888) {
+        copy_row(dst, src, 3 * (size_t)n);
+    } else if (format == IRIS_RGB888) {
+        iris_row_swap_888(dst, src, n);
+    } else {
+        rgb_row(dst, src, format, n);
+        iris_row_swap_888(dst, dst, n);
+    }
+}
+
+/* From RGB888, or BGR888 with `bgr`. */
+static void gray_from_888(uint8_t *dst, const uint8_t *src, int32_t n, iris_gray_method method, int bgr)
+{
+    if (method == IRIS_GRAY_GREEN) {
+        for (int32_t i = 0; i < n; i++) {
+            dst[i] = src[3 * i + 1];
+        }
+    } else if (method == IRIS_GRAY_AVERAGE) {
+        for (int32_t i = 0; i < n; i++, src += 3) {
+            /* 21846 / 65536 for a third: exact up to 766 */
+            dst[i] = (uint8_t)(((uint32_t)src[0] + src[1] + src[2] + 1u) * 21846u >> 16);
+        }
+    } else if (bgr) {
+        iris_row_luma_bgr888(dst, src, n);
+    } else {
+        iris_row_luma_rgb888(dst, src, n);
+    }
+}
+
+static void gray_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n, iris_gray_method method)
+{
+    if (format == IRIS_GRAY8) {
+        copy_row(dst, src, (size_t)n);
+    } else if (format == IRIS_RGB888 || format == IRIS_BGR888) {
+        gray_from_888(dst, src, n, method, format == IRIS_BGR888);
+    } else if (method == IRIS_GRAY_LUMA && (format == IRIS_YUYV || format == IRIS_UYVY)) {
+        src += format == IRIS_UYVY;
+        for (int32_t i = 0; i < n; i++) {
+            dst[i] = src[2 * i];
+        }
+    } else { /* two bytes per pixel */
+        for (int32_t x = 0; x < n; x += PIECE) {
+            uint8_t rgb[3 * PIECE];
+            int32_t count = n - x < PIECE ? n - x : PIECE;
+            rgb_row(rgb, src + 2 * x, format, count);
+            gray_from_888(dst + x, rgb, count, method, 0);
+        }
+    }
+}
+
+static void gray_from_mask(uint8_t *dst, const uint32_t *mask, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = mask[i / 32] >> (i % 32) & 1u ? 255 : 0;
+    }
+}
+
+/* ---- checks ---- */
+
+static int same_pixel_bytes(iris_format a, iris_format b)
+{
+    return iris_format_row_bytes(a, 2) == iris_format_row_bytes(b, 2);
+}
+
+static int misaligned(const void *row, iris_format format)
+{
+    size_t alignment = format == IRIS_MASK1 ? 4 : format == IRIS_HSL48 ? 2 : 1;
+    return (uintptr_t)row % alignment != 0;
+}
+
+/* May n pixels at src become n pixels at dst? */
+static iris_status rows_check(const void *dst, iris_format dst_format, const void *src,
+                              iris_format src_format, int32_t n)
+{
+    size_t dst_bytes = iris_format_row_bytes(dst_format, n);
+    size_t src_bytes = iris_format_row_bytes(src_format, n);
+    if (dst_bytes == 0 || src_bytes == 0) {
+        return IRIS_ERR_RANGE;
+    }
+    if (misaligned(dst, dst_format) || misaligned(src, src_format)) {
+        return IRIS_ERR_ALIGN;
+    }
+    uintptr_t to = (uintptr_t)dst, from = (uintptr_t)src;
+    if (to == from && same_pixel_bytes(dst_format, src_format)) {
+        return IRIS_OK;
+    }
+    return to < from + src_bytes && from < to + dst_bytes ? IRIS_ERR_ALIAS : IRIS_OK;
+}
+
+/* The same for views, formats apart. */
+static iris_status views_check(const iris_image *dst, const iris_image *src)
+{
+    if (iris_image_check(dst) != IRIS_OK || iris_image_check(src) != IRIS_OK) {
+        return IRIS_ERR_ARG;
+    }
+    if (dst->w != src->w || dst->h != src->h) {
+        return IRIS_ERR_RANGE;
+    }
+    int same = dst->data == src->data && (dst->h == 1 || dst->stride == src->stride) &&
+               same_pixel_bytes(dst->format, src->format);
+    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+}
+
+static int is_method(iris_gray_method method)
+{
+    return method == IRIS_GRAY_LUMA || method == IRIS_GRAY_AVERAGE || method == IRIS_GRAY_GREEN;
+}
+
+static int is_pair(iris_format dst, iris_format src)
+{
+    switch (dst) {
+    case IRIS_GRAY8:
+        return is_camera_format(src) || src == IRIS_MASK1;
+    case IRIS_RGB888:
+    case IRIS_BGR888:
+        return is_camera_format(src) || src == IRIS_HSL24 || src == IRIS_HSL48;
+    case IRIS_HSL24:
+    case IRIS_HSL48:
+        return src == IRIS_RGB888 || src == IRIS_BGR888;
+    default:
+        return 0;
+    }
+}
+
+/* ---- the public functions ---- */
+
+iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_format, int32_t n)
+{
+    if (!dst || !src) {
+        return IRIS_ERR_ARG;
+    }
+    if (!is_camera_format(src_format)) {
+        return IRIS_ERR_FORMAT;
+    }
+    iris_status status = rows_check(dst, IRIS_RGB888, src, src_format, n);
+    if (status == IRIS_OK) {
+        rgb_row(dst, (const uint8_t *)src, src_format, n);
+    }
+    return status;
+}
+
+iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_format,
+                                iris_gray_method method, int32_t n)
+{
+    if (!dst || !src || !is_method(method)) {
+        return IRIS_ERR_ARG;
+    }
+    if (!is_camera_format(src_format)) {
+        return IRIS_ERR_FORMAT;
+    }
+    iris_status status = rows_check(dst, IRIS_GRAY8, src, src_format, n);
+    if (status == IRIS_OK) {
+        gray_row(dst, (const uint8_t *)src, src_format, n, method);
+    }
+    return status;
+}
+
+/* To RGB888 (red = 0) or BGR888 (red = 2). */
+static void row_to_888(uint8_t *dst, const void *src, iris_format src_format, int32_t n, int red)
+{
+    if (src_format == IRIS_HSL24) {
+        iris_hsl24_row_to_888(dst, (const uint8_t *)src, n, red);
+    } else if (src_format == IRIS_HSL48) {
+        iris_hsl48_row_to_888(dst, (const uint16_t *)src, n, red);
+    } else if (red == 0) {
+        rgb_row(dst, (const uint8_t *)src, src_format, n);
+    } else {
+        bgr_row(dst, (const uint8_t *)src, src_format, n);
+    }
+}
+
+iris_status iris_color_row(void *dst, iris_format dst_format, const void *src, iris_format src_format,
+                           int32_t n)
+{
+    if (!dst || !src) {
+        return IRIS_ERR_ARG;
+    }
+    if (!is_pair(dst_format, src_format)) {
+        return IRIS_ERR_FORMAT;
+    }
+    iris_status status = rows_check(dst, dst_format, src, src_format, n);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    int src_red = src_format == IRIS_BGR888 ? 2 : 0;
+    if (dst_format == IRIS_HSL24) {
+        iris_hsl24_row_from_888((uint8_t *)dst, (const uint8_t *)src, n, src_red);
+    } else if (dst_format == IRIS_HSL48) {
+        iris_hsl48_row_from_888((uint16_t *)dst, (const uint8_t *)src, n, src_red);
+    } else if (dst_format != IRIS_GRAY8) {
+        row_to_888((uint8_t *)dst, src, src_format, n, dst_format == IRIS_BGR888 ? 2 : 0);
+    } else if (src_format == IRIS_MASK1) {
+        gray_from_mask((uint8_t *)dst, (const uint32_t *)src, n);
+    } else {
+        gray_row((uint8_t *)dst, (const uint8_t *)src, src_format, n, IRIS_GRAY_LUMA);
+    }
+    return IRIS_OK;
+}
+
+iris_status iris_color_convert(const iris_image *dst, const iris_image *src)
+{
+    iris_status status = views_check(dst, src);
+    for (int32_t y = 0; status == IRIS_OK && y < dst->h; y++) {
+        status =
+            iris_color_row(iris_image_row(dst, y), dst->format, iris_image_row(src, y), src->format, src->w);
+    }
+    return status;
+}
+
+iris_status iris_color_gray(const iris_image *dst, const iris_image *src, iris_gray_method method)
+{
+    iris_status status = views_check(dst, src);
+    if (status == IRIS_OK && dst->format != IRIS_GRAY8) {
+        status = IRIS_ERR_FORMAT;
+    }
+    for (int32_t y = 0; status == IRIS_OK && y < dst->h; y++) {
+        status = iris_color_gray_row((uint8_t *)iris_image_row(dst, y), iris_image_row(src, y), src->format,
+                                     method, src->w);
+    }
+    return status;
+}
