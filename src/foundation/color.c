@@ -24,13 +24,12 @@ static void rgb_from_gray(uint8_t *dst, const uint8_t *src, int32_t n)
     }
 }
 
-/* high: which of a pixel's two bytes holds R. */
+/* high: which of a pixel's two bytes is the high one. */
 static void rgb_from_565(uint8_t *dst, const uint8_t *src, int32_t n, int high)
 {
     for (int32_t i = 0; i < n; i++, src += 2, dst += 3) {
-        uint32_t r = src[high] >> 3u;
-        uint32_t g = (src[high] << 3u | src[1 - high] >> 5u) & 63u;
-        uint32_t b = src[1 - high] & 31u;
+        uint32_t value = (uint32_t)src[high] << 8 | src[1 - high];
+        uint32_t r = value >> 11, g = value >> 5 & 63u, b = value & 31u;
         dst[0] = (uint8_t)(r << 3 | r >> 2);
         dst[1] = (uint8_t)(g << 2 | g >> 4);
         dst[2] = (uint8_t)(b << 3 | b >> 2);
