@@ -1,0 +1,135 @@
+#include "iris/copy.h"
+
+enum { FRACTION_BITS = 11, FRACTION_ONE = 1 << FRACTION_BITS };
+
+/* floor((first + i * step) / divisor) for i = 0, 1, 2, ... without a division per step and without drift. */
+typedef struct {
+    int32_t value, rest; /* now: value + rest / divisor */
+    int32_t step, rest_step, divisor;
+} walk;
+
+static walk walk_begin(int32_t first, int32_t step, int32_t divisor)
+{
+    walk w = {first / divisor, first % divisor, step / divisor, step % divisor, divisor};
+    if (w.rest < 0) {
+        w.rest += divisor;
+        w.value--;
+    }
+    return w;
+}
+
+static void walk_next(walk *w)
+{
+    w->value += w->step;
+    w->rest += w->rest_step;
+    if (w->rest >= w->divisor) {
+        w->rest -= w->divisor;
+        w->value++;
+    }
+}
+
+/* The nearest src pixel: floor((i + 0.5) * src / dst). Below 2^31: (2 * 32766 + 1) * 32767. */
+static walk walk_nearest(int32_t dst_side, int32_t src_side)
+{
+    return walk_begin(src_side, 2 * src_side, 2 * dst_side);
+}
+
+/* The position (i + 0.5) * src / dst - 0.5 in 1/2048 pixel, rounded half up. */
+static walk walk_between(int32_t dst_side, int32_t src_side)
+{
+    return walk_begin((src_side - dst_side) * FRACTION_ONE + dst_side, 2 * FRACTION_ONE * src_side,
+                      2 * dst_side);
+}
+
+/* Two neighbors on one axis and the weight of the second. */
+typedef struct {
+    int32_t first, second;
+    uint32_t weight;
+} pair;
+
+static pair pair_at(int32_t position, int32_t side)
+{
+    int32_t last = side - 1;
+    if (position <= 0) {
+        return (pair){0, 0, 0};
+    }
+    if (position >= last * FRACTION_ONE) {
+        return (pair){last, last, 0};
+    }
+    int32_t first = position >> FRACTION_BITS;
+    return (pair){first, first + 1, (uint32_t)position & (FRACTION_ONE - 1u)};
+}
+
+static iris_status check_resize(const iris_image *dst, const iris_image *src)
+{
+    iris_status status = iris_image_check(dst);
+    if (status == IRIS_OK) {
+        status = iris_image_check(src);
+    }
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (dst->format != src->format ||
+        (dst->format != IRIS_GRAY8 && dst->format != IRIS_RGB888 && dst->format != IRIS_BGR888)) {
+        return IRIS_ERR_FORMAT;
+    }
+    return iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+}
+
+iris_status iris_resize_nearest(const iris_image *dst, const iris_image *src)
+{
+    iris_status status = check_resize(dst, src);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    const int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;
+    walk down = walk_nearest(dst->h, src->h);
+    for (int32_t y = 0; y < dst->h; y++, walk_next(&down)) {
+        uint8_t *to = iris_image_row(dst, y);
+        const uint8_t *row = iris_image_row(src, down.value);
+        walk across = walk_nearest(dst->w, src->w);
+        for (int32_t x = 0; x < dst->w; x++, walk_next(&across)) {
+            const uint8_t *from = row + across.value * channels;
+            for (int32_t c = 0; c < channels; c++) {
+                *to++ = from[c];
+            }
+        }
+    }
+    return IRIS_OK;
+}
+
+static uint32_t blend(uint32_t first, uint32_t second, uint32_t weight)
+{
+    return first * (FRACTION_ONE - weight) + second * weight;
+}
+
+static void bilinear_row(uint8_t *to, int32_t n, const iris_image *src, pair rows, int32_t channels)
+{
+    const uint32_t half = 1u << (2 * FRACTION_BITS - 1);
+    const uint8_t *upper = iris_image_row(src, rows.first);
+    const uint8_t *lower = iris_image_row(src, rows.second);
+    walk across = walk_between(n, src->w);
+    for (int32_t x = 0; x < n; x++, walk_next(&across)) {
+        pair columns = pair_at(across.value, src->w);
+        int32_t left = columns.first * channels, right = columns.second * channels;
+        for (int32_t c = 0; c < channels; c++) {
+            uint32_t above = blend(upper[left + c], upper[right + c], columns.weight);
+            uint32_t below = blend(lower[left + c], lower[right + c], columns.weight);
+            *to++ = (uint8_t)((blend(above, below, rows.weight) + half) >> (2 * FRACTION_BITS));
+        }
+    }
+}
+
+iris_status iris_resize_bilinear(const iris_image *dst, const iris_image *src)
+{
+    iris_status status = check_resize(dst, src);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    walk down = walk_between(dst->h, src->h);
+    for (int32_t y = 0; y < dst->h; y++, walk_next(&down)) {
+        pair rows = pair_at(down.value, src->h);
+        bilinear_row(iris_image_row(dst, y), dst->w, src, rows, dst->format == IRIS_GRAY8 ? 1 : 3);
+    }
+    return IRIS_OK;
+}
