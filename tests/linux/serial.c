@@ -425,7 +425,7 @@ static void a_lost_port_comes_back(void **state)
     assert_int_equal(send_seq(&serial, 3, start + 1000), IRIS_ERR_IO);
     assert_string_equal(iris_serial_error(&serial), "the other end hung up, or the device was unplugged");
     assert_int_equal(serial.dropped, 2);
-    assert_int_equal(send_seq(&serial, 4, start + 1499), IRIS_ERR_IO);
+    assert_int_equal(send_seq(&serial, 4, start + 1100), IRIS_ERR_IO);
     assert_int_equal(serial.error, EIO);                               /* not tried yet */
     assert_int_equal(send_seq(&serial, 5, start + 1500), IRIS_ERR_IO); /* tried: not there */
     unlink(link);
