@@ -1,0 +1,103 @@
+#include "args.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "complain.h"
+
+static const args_option *find(const arguments *args, const char *name, size_t length)
+{
+    for (size_t i = 0; i < args->option_count; i++) {
+        const char *known = args->options[i].name;
+        if (strlen(known) == length && memcmp(known, name, length) == 0) {
+            return &args->options[i];
+        }
+    }
+    return NULL;
+}
+
+static const args_option *find_letter(const arguments *args, char letter)
+{
+    for (size_t i = 0; i < args->option_count; i++) {
+        if (args->options[i].letter == letter) {
+            return &args->options[i];
+        }
+    }
+    return NULL;
+}
+
+/* Takes one option that begins at word; *next is the word behind it, null at the end. *next is used up by being
+ * made null. Returns 0 after complaining. */
+static int take_option(const arguments *args, const char *word, const char **next)
+{
+    int is_long = word[1] == '-';
+    const char *equals = is_long ? strchr(word, '=') : NULL;
+    size_t length = equals ? (size_t)(equals - word) : is_long ? strlen(word) : 2;
+    const args_option *option = is_long ? find(args, word + 2, length - 2) : find_letter(args, word[1]);
+    const char *value = equals ? equals + 1 : !is_long && word[2] != '\0' ? word + 2 : NULL;
+    if (!option) {
+        complain(NULL, "unknown option %.*s (see --help)", (int)length, word);
+        return 0;
+    }
+    if (option->flag) {
+        if (value) {
+            complain(NULL, "option %.*s takes no value", (int)length, word);
+            return 0;
+        }
+        *option->flag = 1;
+        return 1;
+    }
+    if (!value) {
+        value = *next;
+        *next = NULL;
+    }
+    if (!value) {
+        complain(NULL, "option %.*s needs a value", (int)length, word);
+        return 0;
+    }
+    *option->value = value;
+    return 1;
+}
+
+int args_parse(arguments *args, int argc, char **argv)
+{
+    int options_ended = 0;
+    args->operands = argv;
+    args->operand_count = 0;
+    for (int i = 1; i < argc; i++) {
+        char *word = argv[i];
+        if (options_ended || word[0] != '-' || word[1] == '\0') {
+            args->operands[args->operand_count++] = word;
+        } else if (strcmp(word, "--") == 0) {
+            options_ended = 1;
+        } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+            fputs(args->help, stdout);
+            return EXIT_DONE;
+        } else {
+            const char *next = i + 1 < argc ? argv[i + 1] : NULL;
+            int had_next = next != NULL;
+            if (!take_option(args, word, &next)) {
+                return EXIT_BAD_CALL;
+            }
+            i += had_next && !next;
+        }
+    }
+    return ARGS_GO;
+}
+
+int args_numbers(int32_t *numbers, int count, char separator, const char *text)
+{
+    for (int i = 0; i < count; i++) {
+        int digit = *text == '-' ? text[1] : *text;
+        char *end;
+        long long number = strtoll(text, &end, 10);
+        const char *expected = i + 1 < count ? (char[]){separator, '\0'} : "";
+        if (digit < '0' || digit > '9' || *end != *expected || number < INT32_MIN || number > INT32_MAX) {
+            return 0;
+        }
+        numbers[i] = (int32_t)number;
+        text = end + 1;
+    }
+    return 1;
+}

@@ -1,0 +1,38 @@
+/* The command line of one command: options and operands in any order.
+ *
+ * --name, --name=value, --name value, and single letters (-o value, -ovalue). "--" ends the options, "-" is an operand
+ * (standard input or output). --help prints the command's help.
+ */
+#ifndef IRIS_TOOL_ARGS_H
+#define IRIS_TOOL_ARGS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* What args_parse returns when the command is to go on; anything else is the exit code. */
+#define ARGS_GO (-1)
+
+typedef struct {
+    const char *name;   /* without dashes */
+    char letter;        /* the short form; 0: none */
+    int *flag;          /* becomes 1 when given; null for an option with a value */
+    const char **value; /* becomes the value, the last one when given twice; null for a flag */
+} args_option;
+
+typedef struct {
+    const char *help; /* what --help prints */
+    const args_option *options;
+    size_t option_count;
+    char **operands; /* what is no option, in order: the front of argv, which is reordered */
+    int operand_count;
+} arguments;
+
+/* argv[0] is the command's name. Complains about what is wrong; returns ARGS_GO, EXIT_DONE (help was printed), or
+ * EXIT_BAD_CALL. */
+int args_parse(arguments *args, int argc, char **argv);
+
+/* Reads exactly `count` whole numbers with `separator` between them: "320x240", "1,2,3,4". 1 when text is that, else 0
+ * with numbers undefined. */
+int args_numbers(int32_t *numbers, int count, char separator, const char *text);
+
+#endif
