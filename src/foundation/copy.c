@@ -13,7 +13,7 @@ static int same_place(const iris_image *a, const iris_image *b)
     return a->data == b->data && (a->stride == b->stride || a->h == 1);
 }
 
-/* 32 pixels from x on, of which the caller uses the first `count` (1 to 32): reads no word without one of these. */
+/* 32 pixels from x on. The first `count` (1 to 32) are valid, and no word without one of these is read. */
 static uint32_t bits_at(const uint32_t *row, int32_t x, int32_t count)
 {
     int32_t shift = x % 32;
@@ -111,7 +111,7 @@ iris_status iris_mask_copy(const iris_image *dst, const iris_image *src, int32_t
     return copy_mask(dst, (iris_rect){0, 0, dst->w, dst->h}, src, (iris_rect){x, y, dst->w, dst->h});
 }
 
-/* What is left of a length that begins at `at` inside 0..limit-1: *from is the first position that is inside. */
+/* How much of a length that begins at `at` is inside 0..limit-1; *from is the first position inside. */
 static int32_t clipped(int32_t *from, int32_t at, int32_t length, int32_t limit)
 {
     int64_t first = at < 0 ? 0 : at;

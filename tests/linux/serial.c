@@ -19,6 +19,7 @@ static ssize_t write_limit = -1; /* bytes that one write takes; -1: all */
 static int write_error;          /* errno of the next writes; 0: none */
 static int queued;               /* bytes that TIOCOUTQ reports on top */
 
+/* NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name): the system's are reserved names */
 ssize_t write(int handle, const void *bytes, size_t count)
 {
     if (write_error != 0) {
@@ -35,6 +36,7 @@ ssize_t write(int handle, const void *bytes, size_t count)
     return syscall(SYS_write, handle, bytes, count);
 }
 
+/* NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name) */
 int ioctl(int handle, unsigned long request, ...)
 {
     va_list arguments;
