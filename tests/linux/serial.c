@@ -296,7 +296,7 @@ static void a_blocked_port_keeps_the_newest(void **state)
         assert_true(status == IRIS_OK || (status == IRIS_ERR_FULL && ++full));
     }
     assert_true(full > 1000);
-    assert_true(longest_ms < 250); /* one call on a busy machine; a call that waits would never come back */
+    assert_true(longest_ms < 2000); /* one call on a busy machine; a call that waits would never come back */
     assert_int_equal(serial.sent + serial.dropped + (serial.length > 0) + (serial.waiting > 0), CALLS);
 
     static char bytes[1 << 20];
