@@ -77,6 +77,8 @@ static void yuv_is_bt601_limited(void **state)
     assert_true(rgb[6] >= 253 && rgb[7] <= 2 && rgb[8] <= 2);
     assert_int_equal(iris_color_row(gray, IRIS_GRAY8, pixels, IRIS_YUYV, 4), IRIS_OK);
     assert_true(gray[0] == 16 && gray[1] == 235 && gray[2] == 81 && gray[3] == 81);
+    assert_int_equal(iris_color_row(gray, IRIS_GRAY8, pixels, IRIS_UYVY, 4), IRIS_OK);
+    assert_true(gray[0] == 128 && gray[1] == 128 && gray[2] == 90 && gray[3] == 240);
 }
 
 static void gray_by_every_method(void **state)
@@ -202,6 +204,10 @@ static void in_place_where_pixels_have_the_same_size(void **state)
     turned.data = pixels + 6;
     turned.stride = -6;
     assert_int_equal(iris_color_convert(&turned, &rgb), IRIS_ERR_ALIAS);
+    iris_image wide = view(pixels, sizeof pixels, 1, 2, IRIS_RGB888),
+               narrow = wide; /* one start, two strides */
+    wide.stride = 6;
+    assert_int_equal(iris_color_convert(&wide, &narrow), IRIS_ERR_ALIAS);
     assert_int_equal(iris_color_row(pixels + 3, IRIS_RGB888, pixels, IRIS_BGR888, 2), IRIS_ERR_ALIAS);
     assert_int_equal(iris_color_row(pixels + 6, IRIS_RGB888, pixels, IRIS_BGR888, 2), IRIS_OK);
     assert_int_equal(iris_color_rgb_row(pixels, pixels, IRIS_GRAY8, 2), IRIS_ERR_ALIAS);

@@ -16,8 +16,7 @@ static iris_hsl hsl_of(iris_color color, int32_t hues, int32_t s_max)
     iris_hsl hsl = {0, 0, (uint16_t)extent.sum};
     if (extent.chroma > 0) {
         int32_t hue = iris_hsl_hue_times_chroma(color.r, color.g, color.b, extent);
-        uint32_t h = divide(hues * hue, 6 * extent.chroma);
-        hsl.h = (uint16_t)(h == (uint32_t)hues ? 0 : h);
+        hsl.h = (uint16_t)divide(hues * hue, 6 * extent.chroma);
         hsl.s = (uint16_t)divide(s_max * extent.chroma, iris_hsl_chroma_limit(extent.sum));
     }
     return hsl;
@@ -28,24 +27,39 @@ iris_hsl iris_hsl_from_color(iris_color color)
     return hsl_of(color, 1536, 65535);
 }
 
+static iris_color color_of(uint8_t r, uint8_t g, uint8_t b)
+{
+    iris_color color = {r, g, b};
+    return color;
+}
+
 iris_color iris_color_from_hsl(iris_hsl hsl)
 {
     int32_t sum = hsl.l > 510 ? 510 : hsl.l;
     int32_t chroma = (int32_t)(((uint32_t)hsl.s * (uint32_t)iris_hsl_chroma_limit(sum) + 32767u) / 65535u);
     int32_t max = (sum + chroma + 1) / 2;
     int32_t min = max - chroma;
-    int32_t sextant = hsl.h / 256 % 6;
     int32_t rise = (hsl.h % 256 * chroma + 128) / 256;
     uint8_t high = (uint8_t)max, low = (uint8_t)min, up = (uint8_t)(min + rise), down = (uint8_t)(max - rise);
-    const iris_color colors[6] = {{high, up, low},   {down, high, low}, {low, high, up},
-                                  {low, down, high}, {up, low, high},   {high, low, down}};
-    return colors[sextant];
+    switch (hsl.h / 256 % 6) {
+    case 0:
+        return color_of(high, up, low);
+    case 1:
+        return color_of(down, high, low);
+    case 2:
+        return color_of(low, high, up);
+    case 3:
+        return color_of(low, down, high);
+    case 4:
+        return color_of(up, low, high);
+    default:
+        return color_of(high, low, down);
+    }
 }
 
 static iris_color color_at(const uint8_t *pixel, int red)
 {
-    iris_color color = {pixel[red], pixel[1], pixel[2 - red]};
-    return color;
+    return color_of(pixel[red], pixel[1], pixel[2 - red]);
 }
 
 static void color_put(uint8_t *pixel, iris_color color, int red)
