@@ -33,8 +33,27 @@ static int32_t columns_between(iris_span a, iris_span b)
     return larger(0, larger(a.left - b.right, b.left - a.right));
 }
 
-/* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the
- * farther the gap, the farther to the side it may continue. */
+static int32_t twice_center(iris_span span)
+{
+    return span.left + span.right;
+}
+
+/* Does the way over the gap lie within 60 degrees of the way that the nearer chain goes? */
+static int goes_on(const iris_follow_chain *near, const iris_follow_chain *far)
+{
+    int64_t near_x = twice_center(near->top) - twice_center(near->bottom),
+            near_y = 2 * (near->top_y - near->bottom_y);
+    int64_t gap_x = twice_center(far->bottom) - twice_center(near->top),
+            gap_y = 2 * (far->bottom_y - near->top_y);
+    int64_t dot = near_x * gap_x + near_y * gap_y;
+    int64_t near_length = larger((int32_t)(near_x < 0 ? -near_x : near_x), (int32_t)-near_y);
+    int64_t squares = (near_x * near_x + near_y * near_y) * 16 / (near_length * near_length + 1);
+    return dot > 0 && dot * 16 / (near_length + 1) * dot / (near_length + 1) * 4 >=
+                          squares * (gap_x * gap_x + gap_y * gap_y);
+}
+
+/* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the farther the
+ * gap, the farther to the side it may continue. */
 static int continues(const iris_follow *follow, const iris_follow_chain *near, const iris_follow_chain *far)
 {
     int32_t gap = near->top_y - far->bottom_y;
@@ -42,7 +61,10 @@ static int continues(const iris_follow *follow, const iris_follow_chain *near, c
         return 0;
     }
     int32_t aside = columns_between(near->top, far->bottom);
-    return aside <= (gap > 0 ? gap * 3 / 2 : 0) + 2;
+    if (aside > (gap > 0 ? gap * 3 / 2 : 0) + 2) {
+        return 0;
+    }
+    return gap <= follow->size.h / 16 || goes_on(near, far);
 }
 
 /* Longer, higher in contrast, and nearer to the robot is better. */

@@ -8,9 +8,11 @@ typedef struct {
     iris_span *spans; /* per row; overlays follow->runs */
     int16_t *twice_x; /* per row, twice the center; overlays follow->owner */
     int is_lane;
-    int32_t top, bottom; /* first and last row of the line */
-    int32_t upright_top; /* rows upright_top to bottom are fitted by row centers */
-    int32_t bar_bottom;  /* rows bar_top to bar_bottom lie across; bar_bottom < bar_top: none */
+    int is_dashed;               /* short pieces with gaps between them: only the whole has a direction */
+    int32_t left_end, right_end; /* of a lane: the chains of its two lines that are nearest to the robot */
+    int32_t top, bottom;         /* first and last row of the line */
+    int32_t upright_top;         /* rows upright_top to bottom are fitted by row centers */
+    int32_t bar_bottom;          /* rows bar_top to bar_bottom lie across; bar_bottom < bar_top: none */
     int32_t bar_top;
     int32_t width; /* of the line near the robot */
 } shape;
@@ -36,21 +38,35 @@ static iris_span run_of(const iris_follow *follow, int32_t y, int32_t *chain)
     return (iris_span){0, -1};
 }
 
-/* The columns between two lines. Where one of them has left the image on its side, up to that side. */
-static iris_span between(const iris_follow *follow, iris_span a, iris_span b, int a_is_left)
+/* Has the line left the image at this side (0 or w - 1) before row y? */
+static int left_image(const iris_follow *follow, int32_t nearest, int32_t y, int32_t side)
 {
-    iris_span left = a_is_left ? a : b, right = a_is_left ? b : a;
-    if (width(left) <= 0 && width(right) <= 0) {
-        return (iris_span){0, -1};
+    const iris_follow_chain *chain = &follow->chains[nearest];
+    int32_t away = side == 0 ? chain->bottom.left : side - chain->bottom.right;
+    return y > chain->bottom_y && away <= follow->size.w / 8;
+}
+
+/* The columns between two lines. Where one of them has left the image on its side, up to that side. */
+static iris_span between(const shape *s, iris_span left, iris_span right, int32_t y)
+{
+    iris_span lane = {(int16_t)(left.right + 1), (int16_t)(right.left - 1)};
+    if (width(left) <= 0) {
+        lane.left = (int16_t)(left_image(s->follow, s->left_end, y, 0) ? 0 : s->follow->size.w);
     }
-    iris_span lane = {0, (int16_t)(follow->size.w - 1)};
-    if (width(left) > 0) {
-        lane.left = (int16_t)(left.right + 1);
+    if (width(right) <= 0) {
+        lane.right =
+            (int16_t)(left_image(s->follow, s->right_end, y, s->follow->size.w - 1) ? s->follow->size.w - 1
+                                                                                    : -1);
     }
-    if (width(right) > 0) {
-        lane.right = (int16_t)(right.left - 1);
+    return width(lane) > 0 ? lane : (iris_span){0, -1};
+}
+
+static int32_t nearest_chain(const iris_follow *follow, int32_t chain)
+{
+    while (chain >= 0 && follow->chains[chain].next >= 0) {
+        chain = follow->chains[chain].next;
     }
-    return lane;
+    return chain;
 }
 
 /* Is line a to the left of line b? Where they share rows, there; else by where they end. */
@@ -71,12 +87,18 @@ static int is_left_of(const iris_follow *follow, int32_t a, int32_t b)
  * row y / 4's runs were, which are not needed any more. */
 static void gather_spans(shape *s, int32_t line, int32_t other)
 {
-    int line_is_left = other >= 0 && is_left_of(s->follow, line, other);
+    if (s->is_lane) {
+        int32_t left = is_left_of(s->follow, line, other) ? line : other;
+        other = left == line ? other : line;
+        line = left;
+        s->left_end = nearest_chain(s->follow, line);
+        s->right_end = nearest_chain(s->follow, other);
+    }
     s->top = s->follow->size.h;
     for (int32_t y = 0; y < s->follow->size.h; y++) {
         iris_span span = run_of(s->follow, y, &line);
         if (s->is_lane) {
-            span = between(s->follow, span, run_of(s->follow, y, &other), line_is_left);
+            span = between(s, span, run_of(s->follow, y, &other), y);
         }
         if (width(span) > 0) {
             s->top = y < s->top ? y : s->top;
@@ -122,33 +144,86 @@ static void bridge_crossing(shape *s, int32_t first, int32_t last)
     }
 }
 
-/* Walks from the robot into the distance. Rows that are suddenly twice as wide hold a crossing, if the line
- * goes on behind them where it should, or else a bend: the line turns to the side there. */
+/* Is the line made of pieces that are hardly longer than wide? */
+static int has_dashes(const shape *s, int32_t chain)
+{
+    int32_t pieces = 0, rows = 0, area = 0;
+    for (; chain >= 0; chain = s->follow->chains[chain].next) {
+        pieces++;
+        rows += s->follow->chains[chain].rows;
+        area += s->follow->chains[chain].area;
+    }
+    int32_t gaps = s->bottom - s->top + 1 - rows;
+    return pieces > 1 && gaps * 8 >= rows && (int64_t)rows * rows * 2 < (int64_t)area * pieces * 3;
+}
+
+/* How wide the line usually is: the mean of the rows that are not wider than the mean. */
+static int32_t usual_width(const shape *s)
+{
+    int32_t mean = mean_width(s, s->bottom, s->follow->size.h);
+    int32_t sum = 0, count = 0;
+    for (int32_t y = s->top; y <= s->bottom; y++) {
+        int32_t w = width(s->spans[y]);
+        if (w > 0 && w <= mean) {
+            sum += w;
+            count++;
+        }
+    }
+    return count > 0 ? sum / count : mean;
+}
+
+/* Is row y suddenly twice as wide: as usual, and as the rows below it? */
+static int widens(const shape *s, int32_t y, int32_t usual)
+{
+    int32_t w = width(s->spans[y]);
+    int32_t below = y + 2 + s->follow->size.h / 40;
+    return w > usual * 2 + 2 && below <= s->bottom && w > width(s->spans[below]) * 2;
+}
+
+/* Does the line go on behind the wide rows y to end + 1, for some rows, and about where it came in? */
+static int goes_on_behind(const shape *s, int32_t y, int32_t end)
+{
+    int32_t some = 2 + s->follow->size.h / 40;
+    if (end - some < s->top || y + some > s->bottom) {
+        return 0;
+    }
+    iris_span before = s->spans[y + some], behind = s->spans[end], farther = s->spans[end - some];
+    int32_t aside = (behind.left + behind.right - before.left - before.right) / 2;
+    int32_t reach = width(before) + (y - end);
+    return width(before) > 0 && width(behind) > 0 && width(farther) > 0 && aside <= reach && aside >= -reach;
+}
+
+/* Do the wide rows y to end + 1 reach out to one side by more than the line's own width? */
+static int has_arm(const shape *s, int32_t y, int32_t end, int32_t usual)
+{
+    iris_span before = s->spans[y + 2 + s->follow->size.h / 40];
+    int32_t arm = 0;
+    for (; y > end; y--) {
+        int32_t left = before.left - s->spans[y].left, right = s->spans[y].right - before.right;
+        int32_t longer = left > right ? left : right;
+        arm = longer > arm ? longer : arm;
+    }
+    return arm * 2 > usual * 3;
+}
+
+/* Walks from the robot into the distance. Rows that are suddenly twice as wide hold a crossing, if the line goes on
+ * behind them where it should, or else a bend: the line turns to the side there. */
 static void find_bend(shape *s)
 {
-    int32_t usual = mean_width(s, s->bottom, 8) * 8; /* 3 fraction bits */
-    s->width = usual / 8;
-    for (int32_t y = s->bottom; y >= s->top; y--) {
-        int32_t w = width(s->spans[y]);
-        if (w <= 0) {
-            continue;
-        }
-        if (w * 8 <= usual * 2 + 16 || y == s->bottom) {
-            int32_t change = (w * 8 - usual) / 8;
-            usual += change > usual / 32 ? usual / 32 : change;
+    int32_t usual = usual_width(s);
+    s->width = usual;
+    for (int32_t y = s->bottom - 1; y >= s->top; y--) {
+        if (!widens(s, y, usual)) {
             continue;
         }
         int32_t end = y;
-        while (end >= s->top && width(s->spans[end]) * 8 > usual * 3 / 2 + 16) {
+        while (end >= s->top && width(s->spans[end]) > usual * 3 / 2 + 2) {
             end--;
         }
-        iris_span behind = end >= s->top ? s->spans[end] : (iris_span){0, -1};
-        iris_span before = s->spans[y + 1];
-        if (width(before) > 0 && width(behind) > 0 && behind.right >= before.left - usual / 8 &&
-            behind.left <= before.right + usual / 8) {
+        if (goes_on_behind(s, y, end)) {
             bridge_crossing(s, y, end + 1);
             y = end;
-        } else {
+        } else if (has_arm(s, y, end, usual)) {
             s->bar_bottom = y;
             s->bar_top = end + 1;
             s->upright_top = y + 1;
@@ -157,31 +232,33 @@ static void find_bend(shape *s)
     }
 }
 
-/* Centers of the rows. Where a side of the image cuts the line, its hidden half is put back: as wide as the
- * last whole row. */
+static int is_cut(const shape *s, iris_span span)
+{
+    return !s->is_lane && (span.left == 0) != (span.right == s->follow->size.w - 1);
+}
+
+/* Centers of the rows. Where a side of the image cuts the line, its hidden half is put back: behind a whole row, lines look
+ * as wide as there or narrower. Cut rows nearer than any whole one are left out, unless there are only such. */
 static void find_centers(shape *s)
 {
-    int32_t last = s->follow->size.w - 1;
-    int32_t whole = 0;
-    for (int32_t y = s->bottom; y >= s->upright_top && whole == 0; y--) {
-        iris_span span = s->spans[y];
-        whole = width(span) > 0 && span.left > 0 && span.right < last ? width(span) : 0;
+    int32_t whole = 0, whole_rows = 0;
+    for (int32_t y = s->upright_top; y <= s->bottom; y++) {
+        whole_rows += width(s->spans[y]) > 0 && !is_cut(s, s->spans[y]);
     }
-    for (int32_t y = s->bottom; y >= 0; y--) {
+    for (int32_t y = s->follow->size.h - 1; y >= 0; y--) {
         iris_span span = s->spans[y];
-        s->twice_x[y] = NONE;
-        if (width(span) <= 0) {
-            continue;
-        }
         int32_t center = span.left + span.right;
-        if (s->is_lane || (span.left > 0 && span.right < last)) {
-            whole = width(span);
-        } else if (width(span) < whole && span.left > 0) {
-            center = 2 * span.left + whole;
-        } else if (width(span) < whole && span.right < last) {
-            center = 2 * span.right - whole;
+        if (is_cut(s, span) && whole_rows > 0) {
+            center = width(span) >= whole ? NONE
+                     : span.left == 0     ? 2 * span.right - whole
+                                          : 2 * span.left + whole;
+        } else {
+            whole = width(span) > 0 ? width(span) : whole;
         }
-        s->twice_x[y] = (int16_t)center;
+        s->twice_x[y] = (int16_t)(width(span) > 0 ? center : NONE);
+    }
+    while (s->bottom > s->upright_top && s->twice_x[s->bottom] == NONE) {
+        s->bottom--;
     }
 }
 
@@ -214,7 +291,7 @@ static int32_t split(const shape *s, int32_t *breaks)
 {
     int32_t count = 1;
     int32_t least_rows = s->follow->size.h / 16 > 4 ? s->follow->size.h / 16 : 4;
-    int32_t tolerance = s->width / 4 > 4 ? s->width / 4 : 4;
+    int32_t tolerance = s->width / 2 > 4 ? s->width / 2 : 4;
     breaks[0] = s->bottom;
     breaks[1] = s->upright_top;
     while (breaks[1] < s->bottom && s->twice_x[breaks[1]] == NONE) {
@@ -350,6 +427,49 @@ static void describe_upright(iris_follow_result *result, const shape *s)
     }
 }
 
+/* Center of a piece of line, pixels. */
+static void center_of_chain(const shape *s, const iris_follow_chain *chain, int32_t *x, int32_t *y)
+{
+    int32_t rows = 0, sum_x = 0, sum_y = 0;
+    for (int32_t row = chain->top_y; row <= chain->bottom_y; row++) {
+        if (width(s->spans[row]) > 0) {
+            rows++;
+            sum_x += s->spans[row].left + s->spans[row].right;
+            sum_y += row;
+        }
+    }
+    *x = rows > 0 ? sum_x / (2 * rows) : 0;
+    *y = rows > 0 ? sum_y / rows : 0;
+}
+
+/* The nearest piece first: the list's far end is its start, so the segments are made in that order and then turned around. */
+static void describe_dashes(iris_follow_result *result, shape *s, int32_t farthest)
+{
+    const iris_follow_chain *chains = s->follow->chains;
+    int32_t pieces = 0, skip = 0, x1, y1;
+    for (int32_t c = farthest; c >= 0; c = chains[c].next) {
+        pieces++;
+    }
+    for (skip = pieces - 1 - IRIS_FOLLOW_SEGMENTS_MAX; skip > 0; skip--) {
+        farthest = chains[farthest].next;
+    }
+    center_of_chain(s, &chains[farthest], &x1, &y1);
+    for (int32_t c = chains[farthest].next; c >= 0; c = chains[c].next) {
+        int32_t x0, y0;
+        center_of_chain(s, &chains[c], &x0, &y0);
+        add_segment(result, x0, y0, x1, y1);
+        x1 = x0;
+        y1 = y0;
+    }
+    for (int32_t i = 0, j = result->segment_count - 1; i < j; i++, j--) {
+        iris_segment kept = result->segments[i];
+        result->segments[i] = result->segments[j];
+        result->segments[j] = kept;
+    }
+    const iris_segment *near = &result->segments[0];
+    result->angle = iris_atan2_angle(near->x1 - near->x0, near->y0 - near->y1);
+}
+
 static int32_t confidence(const shape *s)
 {
     int32_t rows = 0, pixels_high = s->bottom - s->top + 1;
@@ -361,6 +481,30 @@ static int32_t confidence(const shape *s)
     return reach * rows / pixels_high;
 }
 
+static void describe_solid(iris_follow_result *result, shape *s)
+{
+    if (s->is_lane) {
+        s->width = mean_width(s, s->bottom, 8);
+    } else if (lies_across(s)) {
+        s->bar_top = s->top;
+        s->bar_bottom = s->bottom;
+        s->upright_top = s->bottom + 1;
+    } else {
+        find_bend(s);
+    }
+    find_centers(s);
+    describe_upright(result, s);
+    iris_line bar;
+    if (s->bar_bottom >= s->bar_top && fit_bar(s, &bar) == IRIS_OK) {
+        int upright = s->upright_top <= s->bottom;
+        int32_t from = upright ? s->twice_x[s->upright_top] : s->follow->size.w - 1;
+        iris_angle direction = describe_bar(result, s, &bar, from);
+        result->has_next = upright;
+        result->next_angle = upright ? direction : 0;
+        result->angle = upright ? result->angle : bar.angle;
+    }
+}
+
 void iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other)
 {
     shape s = {.follow = follow, .spans = follow->runs, .twice_x = (int16_t *)(void *)follow->owner};
@@ -368,25 +512,10 @@ void iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32
     s.bar_bottom = -1;
     gather_spans(&s, line, other);
     s.upright_top = s.top;
-    if (s.is_lane) {
-        s.width = mean_width(&s, s.bottom, 8);
-    } else if (lies_across(&s)) {
-        s.bar_top = s.top;
-        s.bar_bottom = s.bottom;
-        s.upright_top = s.bottom + 1;
+    if (!s.is_lane && has_dashes(&s, line)) {
+        describe_dashes(result, &s, line);
     } else {
-        find_bend(&s);
-    }
-    find_centers(&s);
-    describe_upright(result, &s);
-    iris_line bar;
-    if (s.bar_bottom >= s.bar_top && fit_bar(&s, &bar) == IRIS_OK) {
-        int upright = s.upright_top <= s.bottom;
-        int32_t from = upright ? s.twice_x[s.upright_top] : follow->size.w - 1;
-        iris_angle direction = describe_bar(result, &s, &bar, from);
-        result->has_next = upright;
-        result->next_angle = upright ? direction : 0;
-        result->angle = upright ? result->angle : bar.angle;
+        describe_solid(result, &s);
     }
     int32_t ahead = (follow->size.h - 1) * follow->config.lookahead_permil / 1000;
     result->width_px = mean_width(&s, s.bottom, follow->size.h);
