@@ -1,19 +1,21 @@
 /* IRIS - color: from any camera's pixels to gray, RGB, and HSL, and back.
  *
  * Conversions exist for whole views and for single rows, so that a row can be used as it arrives from the
- * sensor. The two give the same pixels. Report, section 2.2 (grayscale conversion) and 3.2.2
+ * sensor. The two give the same pixels. Report, sections 2.2 (grayscale conversion) and 3.2.2
  * (ColorSpaceConvertor).
  *
  * What the numbers mean:
- *   RGB565      5 and 6 bits are widened to 8 by repeating their high bits, so that 0 stays 0 and the largest
- * is 255. YUYV, UYVY  BT.601 in the limited range, as webcams send it: Y 16 black to 235 white, U and V 128
- * neutral. RGB is widened to 0..255; GRAY8 by luma is Y as it came, which is what thresholds want. HSL the
- * double cone: M and m the largest and smallest of R, G, B; C = M - m; L = M + m; S = C / min(L, 510 - L);
- * hue 0 red, 1/3 of a turn green, 2/3 blue, linear in between. S of black and white is 0, and the hue of
- * every gray is 0. HSL48       uint16_t H 0..1535 (256 steps for 60 degrees), S 0..65535 (all of it), L
- * 0..510. From RGB and back is identity for every color. H and S are the exact values rounded: within half a
- * step, L is exact. HSL24       bytes H (256 steps for a turn), S 0..255, L 0..255 ((L + 1) / 2 of the
- * above), each the exact value rounded. From RGB and back, no channel moves by more than 4.
+ *   RGB565  5 and 6 bits are widened to 8 by repeating their high bits: 0 stays 0 and the largest is 255.
+ *   YUV     BT.601 in the limited range, as webcams send it: Y 16 black to 235 white, U and V 128 neutral.
+ *           RGB is widened to 0..255, within 1 of the exact value; GRAY8 by luma is Y as it came, which is
+ *           what thresholds want.
+ *   HSL     the double cone: M and m the largest and smallest of R, G, B; C = M - m; L = M + m;
+ *           S = C / min(L, 510 - L); hue 0 red, 1/3 of a turn green, 2/3 blue, linear in between.
+ *           S of black and white is 0, and the hue of every gray is 0.
+ *   HSL48   uint16_t H 0..1535 (256 steps for 60 degrees), S 0..65535, L 0..510. From RGB and back is
+ *           identity for every color. H and S are within half a step of the exact values, L is exact.
+ *   HSL24   bytes H (256 steps for a turn), S 0..255, L 0..255 (half of the above), each the exact value
+ *           rounded. From RGB and back, no channel moves by more than 4.
  */
 #ifndef IRIS_COLOR_H
 #define IRIS_COLOR_H
@@ -38,10 +40,9 @@ typedef struct {
 } iris_hsl;     /* as in IRIS_HSL48 */
 
 typedef enum {
-    IRIS_GRAY_LUMA =
-        0, /* (77 R + 150 G + 29 B + 128) / 256, rounded down: 0.299, 0.587, 0.114; of YUYV and UYVY: Y */
-    IRIS_GRAY_AVERAGE, /* (R + G + B) / 3, rounded */
-    IRIS_GRAY_GREEN    /* G */
+    IRIS_GRAY_LUMA = 0, /* (77 R + 150 G + 29 B + 128) / 256, rounded down; of YUYV and UYVY: Y */
+    IRIS_GRAY_AVERAGE,  /* (R + G + B) / 3, rounded */
+    IRIS_GRAY_GREEN     /* G */
 } iris_gray_method;
 
 /* One pixel. Total: a hue of 1536 or more starts over, a lightness above 510 counts as 510. O(1). */
@@ -55,8 +56,8 @@ iris_color iris_color_from_hsl(iris_hsl hsl);
  *   HSL24, HSL48      RGB888, BGR888
  * dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are
  * disjoint. IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats;
- * IRIS_ERR_RANGE: sizes differ; IRIS_ERR_ALIAS. O(w h); one division per pixel to HSL and another one for
- * colors that are not gray. */
+ * IRIS_ERR_RANGE: sizes differ; IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that
+ * is not gray. */
 iris_status iris_color_convert(const iris_image *dst, const iris_image *src);
 
 /* Converts one row of n pixels, as iris_color_convert. Rows of HSL48 are aligned to 2 bytes, rows of MASK1
