@@ -34,5 +34,5 @@ verdict "no file named after nothing" "$(echo "$files" |
     grep -E '/(utils?|common|misc|helpers?)(\.[a-z]+)?$')"
 verdict "the top level" "$(git ls-files 2>/dev/null | sed 's|/.*||' | sort -u |
     grep -vxE 'README.md|LICENSE|Makefile|\.ci|\.clang-format|\.clang-tidy|\.gitignore|include|src|port|tools|examples|tests')"
-echo "# the ten longest functions:"
-echo "$functions" | sort -n -r | head -10 | sed 's/^/# /'
+echo "#: the ten longest functions (lines, place, name):"
+echo "$functions" | sort -n -r | head -10 | awk '{ print "#:   " $1, $2, $3 }'

@@ -37,10 +37,10 @@ unit: $(UNIT_BIN) ## builds and runs the CMocka tests of this PORT and these fla
 	@tests/programs $(UNIT_BIN) | tests/tally
 
 .PHONY: unit verify verify-host verify-target
-PURITY := $(if $(CHECKED),,@tests/check_purity.sh $(LIB) $(OSLIB); tests/check_stack.sh $(OUT))
+PURITY := $(if $(CHECKED),,@echo '# rules'; tests/check_purity.sh $(LIB) $(OSLIB); tests/check_stack.sh $(OUT))
 verify-host: lib $(UNIT_BIN) $(DIGEST)
 	@tests/programs $(UNIT_BIN)
-	$(if $(DIGEST),@tests/check_digests.sh $(RUNNER) $(DIGEST))
+	$(if $(DIGEST),@echo '# digests'; tests/check_digests.sh $(RUNNER) $(DIGEST))
 	$(PURITY)
 
 # --- bare metal: MACHINE is one of QEMU's; UNITY_ROOT is a checkout of Unity, else tests/target/unity speaks its macros ---
@@ -66,7 +66,7 @@ $(OUT)/unity.o: $(UNITY_ROOT)/src/unity.c
 
 verify-target: lib $(FIRMWARE) $(if $(DIGEST),$(OUT)/digest.elf)
 	@for elf in $(FIRMWARE); do tests/target/run $(MACHINE) $$elf --unity; done
-	$(if $(DIGEST),@tests/check_digests.sh tests/target/run $(MACHINE) $(OUT)/digest.elf)
+	$(if $(DIGEST),@echo '# digests'; tests/check_digests.sh tests/target/run $(MACHINE) $(OUT)/digest.elf)
 	$(PURITY)
 
 # --- fuzzing: clang's libFuzzer over the whole library built with it ---

@@ -19,7 +19,8 @@ typedef struct {
 } digest_operation;
 
 /* Each ends with a null name. */
-extern const digest_operation digest_image[], digest_fixed[], digest_draw[], digest_command[];
+extern const digest_operation digest_image[], digest_fixed[], digest_color[], digest_copy[], digest_draw[],
+    digest_files[], digest_command[], digest_threshold[], digest_follow[];
 
 #define DIGEST_ARENA_BYTES 10240
 

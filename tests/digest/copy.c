@@ -1,0 +1,89 @@
+#include "digest.h"
+
+#include "iris/copy.h"
+
+static void resized(iris_status (*resize)(const iris_image *dst, const iris_image *src), iris_format format)
+{
+    static const iris_size sizes[] = {{20, 12}, {53, 31}, {7, 40}, {40, 1}};
+    iris_image src = digest_picture(format, 33, 17);
+    for (int i = 0; i < 4; i++) {
+        iris_image dst = digest_canvas(format, sizes[i].w, sizes[i].h);
+        digest_number(resize(&dst, &src));
+        digest_view(&dst);
+    }
+}
+
+static void resize_nearest_gray(void)
+{
+    resized(iris_resize_nearest, IRIS_GRAY8);
+}
+
+static void resize_bilinear_gray(void)
+{
+    resized(iris_resize_bilinear, IRIS_GRAY8);
+}
+
+static void resize_bilinear_rgb(void)
+{
+    static const iris_size size = {25, 20};
+    iris_image src = digest_picture(IRIS_RGB888, 33, 17);
+    iris_image dst = digest_canvas(IRIS_RGB888, size.w, size.h);
+    digest_number(iris_resize_bilinear(&dst, &src));
+    digest_view(&dst);
+}
+
+static void paste(void)
+{
+    iris_image src = digest_picture(IRIS_RGB888, 15, 11);
+    iris_image dst = digest_canvas(IRIS_RGB888, 40, 24);
+    for (int i = 0; i < 40; i++) {
+        int32_t x = digest_between(-20, 45);
+        int32_t y = digest_between(-14, 28);
+        digest_number(iris_paste(&dst, &src, x, y));
+    }
+    digest_view(&dst);
+}
+
+static void mask_copy(void)
+{
+    iris_image src = digest_picture(IRIS_MASK1, 100, 12);
+    for (int i = 0; i < 40; i++) {
+        iris_image dst = digest_canvas(IRIS_MASK1, 1 + i, 10);
+        digest_number(iris_mask_copy(&dst, &src, digest_between(0, 60), i % 3));
+        digest_view(&dst);
+    }
+}
+
+static void channels(void)
+{
+    iris_image rgb = digest_picture(IRIS_RGB888, 30, 20);
+    iris_image gray = digest_canvas(IRIS_GRAY8, 30, 20);
+    for (int i = 0; i < 3; i++) {
+        digest_number(iris_channel_extract(&gray, &rgb, i));
+        digest_view(&gray);
+        digest_number(iris_channel_insert(&rgb, &gray, (i + 1) % 3));
+        digest_view(&rgb);
+    }
+}
+
+static void fill(void)
+{
+    static const iris_format formats[] = {IRIS_GRAY8, IRIS_GRAY_S16, IRIS_GRAY_U32,
+                                          IRIS_MASK1, IRIS_RGB888,   IRIS_HSL48};
+    for (int i = 0; i < 6; i++) {
+        iris_image dst = digest_canvas(formats[i], 21, 7);
+        digest_number(iris_fill(&dst, 1));
+        digest_view(&dst);
+    }
+}
+
+const digest_operation digest_copy[] = {
+    {"copy.resize_nearest_gray", resize_nearest_gray},
+    {"copy.resize_bilinear_gray", resize_bilinear_gray},
+    {"copy.resize_bilinear_rgb", resize_bilinear_rgb},
+    {"copy.paste", paste},
+    {"copy.mask_copy", mask_copy},
+    {"copy.channels", channels},
+    {"copy.fill", fill},
+    {NULL, NULL},
+};

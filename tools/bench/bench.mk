@@ -1,0 +1,37 @@
+# Measuring: instructions (exact, under QEMU's plugin interface), time on this machine, and bytes of flash and RAM.
+
+COUNTER := $(abspath $(BUILD))/libicnt.so
+RESULTS := $(abspath $(BUILD))/bench
+BENCH    = $(addprefix $(OUT)/tools/bench/,$(addsuffix .o,$(1)))
+
+$(COUNTER): tools/bench/icnt.c
+	@mkdir -p $(@D)
+	gcc $(USERWARN) -O2 -shared -fPIC -o $@ $<
+$(OUT)/bench-count: $(call BENCH,cases count stdout) $(LIB)
+	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
+$(OUT)/bench-time: $(call BENCH,cases time) $(LIB)
+	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
+$(OUT)/bench.elf: STACK := 16384
+$(OUT)/bench.elf: $(call BENCH,cases count) $(START) $(LIB)
+	$(CC) $(BASE) $(LINK) -o $@ $(filter %.o %.a,$^)
+
+# RESULT names the column. A count and the line that names it belong together by their order.
+count-target: $(OUT)/bench.elf
+	@QEMU_FLAGS="-plugin $(COUNTER),out=$(OUT)/counts" tests/target/run $(MACHINE) $< > $(OUT)/cases
+	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
+count-user: $(OUT)/bench-count
+	@$(firstword $(RUNNER)) -plugin $(COUNTER),out=$(OUT)/counts $(wordlist 2,99,$(RUNNER)) $< > $(OUT)/cases
+	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
+time-host: $(OUT)/bench-time
+	@$< > $(RESULTS)/$(RESULT)
+
+# ARMv6-M code of the M0 is counted on a board with an M3, which runs it too and has room for a frame.
+bench: $(COUNTER) ## instructions per pixel on M4, M0, and AArch64 (exact), nanoseconds per pixel on this machine
+	@rm -rf $(RESULTS)
+	@mkdir -p $(RESULTS)
+	+@$(M4) OPT=$(OPT) RESULT=1-M4 count-target
+	+@$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=2-M0 count-target
+	+@$(A64) RESULT=3-AArch64 count-user
+	+@$(NATIVE) RESULT=4-host-ns time-host
+	@tools/bench/table $(RESULTS)/*
+.PHONY: bench count-target count-user time-host

@@ -1,0 +1,39 @@
+/* Runs every case once between two marker instructions (icnt.c) and prints `pixels name`, in the order of the counts. */
+#include "bench.h"
+
+#if defined(__aarch64__)
+#define START() __asm__ volatile("mov x27, x27" ::: "memory")
+#define STOP()  __asm__ volatile("mov x28, x28" ::: "memory")
+#elif defined(__arm__)
+#define START() __asm__ volatile("mov r10, r10" ::: "memory")
+#define STOP()  __asm__ volatile("mov r11, r11" ::: "memory")
+#else
+#define START() __asm__ volatile("xchg %%bx, %%bx" ::: "memory")
+#define STOP()  __asm__ volatile("xchg %%cx, %%cx" ::: "memory")
+#endif
+
+static void print_number(int32_t number)
+{
+    char text[12], *digit = text + sizeof text - 1;
+    *digit = '\0';
+    do {
+        *--digit = (char)('0' + number % 10);
+        number /= 10;
+    } while (number > 0);
+    target_print(digit);
+}
+
+int main(void)
+{
+    for (const bench_case *c = bench_cases; c->name; c++) {
+        c->prepare();
+        START();
+        c->run();
+        STOP();
+        print_number(c->pixels);
+        target_print(" ");
+        target_print(c->name);
+        target_print("\n");
+    }
+    return 0;
+}
