@@ -9,18 +9,19 @@
 #include "picture_job.h"
 
 static const char help[] =
-    "usage: iris convert [--crop x,y,w,h] [--resize WxH [--nearest]] [--format FORMAT] [--json] IN... -o "
-    "OUT\n\n"
+    "usage: iris convert [--crop x,y,w,h] [--resize WxH [--nearest]] [--format FORMAT]\n"
+    "                    [--json] IN... -o OUT\n\n"
     "Another part, size, or format of pictures, in this order.\n\n"
-    "  --crop x,y,w,h    the part that begins at column x and row y (0,0 is the top left), wholly inside\n"
-    "  --resize WxH      to W by H pixels, bilinear; no smoothing before, so less than half the size "
-    "aliases\n"
+    "  --crop x,y,w,h    the part whose top left pixel is x,y; wholly inside\n"
+    "  --resize WxH      to W by H pixels, bilinear (nothing is averaged: blur before you\n"
+    "                    go below half the size)\n"
     "  --nearest         takes the nearest pixel instead\n"
     "  --format gray     8 bits (luma)\n"
     "  --format rgb      24 bits\n"
     "  --format mask     1 bit: white where luma is above 127\n"
     "  --json            one JSON object per picture: file, output, width, height, kind\n"
-    "  -o OUT            .bmp, .pgm, .ppm; a folder for several inputs; - or nothing is standard output\n\n"
+    "  -o OUT            .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
+    "                    (IN - and OUT -: every picture that comes, in turn)\n\n"
     "example: iris convert --crop 0,120,320,120 --resize 160x60 frame.bmp -o near.pgm\n";
 
 typedef struct {

@@ -13,7 +13,8 @@ static const char help[] =
     "  --method average    (R + G + B) / 3\n"
     "  --method green      G alone\n"
     "  --json              one JSON object per picture: file, output, width, height, kind\n"
-    "  -o OUT              .bmp, .pgm, .ppm; a folder for several inputs; - or nothing is standard output\n\n"
+    "  -o OUT              .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
+    "                      (IN - and OUT -: every picture that comes, in turn)\n\n"
     "example: iris gray --method green photo.bmp -o photo.pgm\n";
 
 static int work(iris_image *result, const iris_image *input, picture_job *job)

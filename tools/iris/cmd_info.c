@@ -1,4 +1,5 @@
 #include <stdio.h>
+#include <string.h>
 
 #include "args.h"
 #include "commands.h"
@@ -8,15 +9,20 @@
 #include "json.h"
 #include "progress.h"
 
-static const char help[] = "usage: iris info [--json] IN...\n\n"
-                           "Says what each picture is, after reading all of it: format, size, bits per "
-                           "pixel, gray or color, coding.\n"
-                           "IN is a BMP, PGM, or PPM file, a folder of them, or - for standard input.\n\n"
-                           "  --json    one JSON object per picture: file, format, width, height, bits, kind "
-                           "(\"gray\", \"color\"),\n"
-                           "            coding (\"raw\", \"palette\", \"bitfields\", \"rle\"), rows "
-                           "(\"top-down\", \"bottom-up\")\n\n"
-                           "example: iris info --json frames/*.bmp\n";
+static const char help[] =
+    "usage: iris info [--json] IN...\n\n"
+    "Says what each picture is, after reading all of it.\n"
+    "IN is a BMP, PGM, or PPM file, a folder of them, or - for standard input, which may\n"
+    "hold several one after another.\n\n"
+    "  --json    one JSON object per picture: file, format, width, height, bits per pixel,\n"
+    "            kind (mask, gray, color), coding (raw, palette, bitfields, rle), and rows\n"
+    "            (top-down, bottom-up)\n\n"
+    "example: iris info --json frames/*.bmp\n";
+
+static const char *kind(const frame_reader *reader)
+{
+    return !reader->is_gray ? "color" : reader->bits == 1 ? "mask" : "gray";
+}
 
 static void print_json(const frame_reader *reader, const char *file)
 {
@@ -33,7 +39,7 @@ static void print_json(const frame_reader *reader, const char *file)
     json_key(&json, "bits");
     json_integer(&json, reader->bits);
     json_key(&json, "kind");
-    json_string(&json, reader->is_gray ? "gray" : "color");
+    json_string(&json, kind(reader));
     json_key(&json, "coding");
     json_string(&json, reader->coding);
     json_key(&json, "rows");
@@ -44,31 +50,28 @@ static void print_json(const frame_reader *reader, const char *file)
 static void print_text(const frame_reader *reader, const char *file)
 {
     printf("%s: %s %dx%d, %d bit%s, %s, %s, %s\n", file, reader->format, (int)reader->size.w,
-           (int)reader->size.h, reader->bits, reader->bits == 1 ? "" : "s",
-           reader->is_gray ? "gray" : "color", reader->coding, reader->top_down ? "top-down" : "bottom-up");
+           (int)reader->size.h, reader->bits, reader->bits == 1 ? "" : "s", kind(reader), reader->coding,
+           reader->top_down ? "top-down" : "bottom-up");
+    fflush(stdout);
 }
 
-/* Returns an exit code. */
+/* The first picture of a file; of standard input every one. Returns an exit code. */
 static int info(const char *file, int json)
 {
     static frame_reader reader;
     iris_status status = frame_reader_open(&reader, file);
-    if (status == IRIS_OK) {
-        status = frame_reader_begin(&reader);
-    }
-    if (status == IRIS_OK) {
-        status = frame_reader_skip(&reader);
-    }
+    do {
+        status = status == IRIS_OK ? frame_reader_begin(&reader) : status;
+        status = status == IRIS_OK ? frame_reader_skip(&reader) : status;
+        if (status == IRIS_OK) {
+            progress_clear();
+            (json ? print_json : print_text)(&reader, file);
+        }
+    } while (status == IRIS_OK && strcmp(file, "-") == 0);
     frame_reader_close(&reader);
-    if (status != IRIS_OK) {
+    if (status != IRIS_OK && !(status == IRIS_ERR_END && reader.frames > 0)) {
         complain(file, "%s", frame_reader_problem(&reader));
         return EXIT_BAD_DATA;
-    }
-    progress_clear();
-    if (json) {
-        print_json(&reader, file);
-    } else {
-        print_text(&reader, file);
     }
     return EXIT_DONE;
 }

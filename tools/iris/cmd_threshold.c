@@ -9,14 +9,14 @@ static const char help[] =
     "Gray pictures to masks: white is what is brighter than the threshold. Color counts by its luma.\n\n"
     "  --value N         above N, 0 to 255\n"
     "  --otsu            above the value that separates dark and bright best\n"
-    "  --adaptive R,C    above the mean of the (2R+1)x(2R+1) pixels around, less C; R 0 to 1023, C -255 to "
-    "255\n"
-    "  --invert          white is the rest: with C above 0, what is darker than its surroundings\n"
-    "                    (a line narrower than R)\n"
-    "  --json            one JSON object per picture: file, output, width, height, kind, threshold\n"
-    "                    (the value that was used; not with --adaptive)\n"
-    "  -o OUT            .bmp (1 bit), .pgm (0 and 255); a folder for several inputs; - or nothing is "
-    "standard output\n\n"
+    "  --adaptive R,C    above the mean of the (2R+1)x(2R+1) pixels around, less C;\n"
+    "                    R 0 to 1023, C -255 to 255\n"
+    "  --invert          white is the rest: with C above 0, what is darker than its\n"
+    "                    surroundings, such as a line narrower than R\n"
+    "  --json            one JSON object per picture: file, output, width, height, kind,\n"
+    "                    threshold (the value used; null with --adaptive)\n"
+    "  -o OUT            .bmp (1 bit) or .pgm (0 and 255); a folder for several inputs;\n"
+    "                    -: standard output (IN - and OUT -: every picture in turn)\n\n"
     "example: iris threshold --adaptive 60,15 --invert floor.bmp -o line.bmp\n";
 
 typedef struct {
@@ -82,7 +82,7 @@ int cmd_threshold(int argc, char **argv)
     int otsu = 0, invert = 0;
     const char *value = NULL, *adaptive = NULL;
     thresholding by = {-1, -1, 0, IRIS_SELECT_BRIGHT};
-    picture_job job = {.command = argv[0], .work = work, .options = &by};
+    picture_job job = {.command = argv[0], .work = work, .options = &by, .has_threshold = 1};
     const args_option options[] = {{"value", 0, NULL, &value},         {"otsu", 0, &otsu, NULL},
                                    {"adaptive", 0, NULL, &adaptive},   {"invert", 0, &invert, NULL},
                                    {"output", 'o', NULL, &job.output}, {"json", 0, &job.json, NULL}};

@@ -55,9 +55,9 @@ static void say_problem(frame_reader *reader)
                    : "a kind of PNM that is not read (only binary PGM and PPM of 8 bits)";
         break;
     case IRIS_ERR_SCRATCH:
-        snprintf(problem, bytes, "%dx%d pixels need more memory than there is, or than 1 GiB",
-                 (int)reader->size.w, (int)reader->size.h);
-        return;
+    case IRIS_ERR_FULL:
+        text = picture_problem(reader->status, reader->size);
+        break;
     default:
         break;
     }

@@ -39,8 +39,8 @@ iris_status frame_reader_open(frame_reader *reader, const char *path);
 /* Reads the next picture into *picture, which grows as needed. format: IRIS_GRAY8, IRIS_RGB888, IRIS_BGR888, or 0 for
  * what the file holds (IRIS_GRAY8 or IRIS_RGB888).
  * IRIS_ERR_END: the input ended where it may, behind a picture, or without any; IRIS_ERR_TRUNCATED: within a picture;
- * IRIS_ERR_DATA: garbage; IRIS_ERR_UNSUPPORTED; IRIS_ERR_RANGE: a side is too long; IRIS_ERR_SCRATCH: it would not fit
- * the memory; IRIS_ERR_IO. There is no way to go on after an error. */
+ * IRIS_ERR_DATA: garbage; IRIS_ERR_UNSUPPORTED; IRIS_ERR_RANGE: a side is too long; IRIS_ERR_FULL, IRIS_ERR_SCRATCH:
+ * see picture_reserve; IRIS_ERR_IO. There is no way to go on after an error. */
 iris_status frame_reader_next(frame_reader *reader, picture_buffer *picture, iris_format format);
 
 /* The two halves for who wants to look only: the header, then all pixels, checked and thrown away. */

@@ -1,5 +1,6 @@
 #include "picture.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Bytes in all pictures. */
@@ -17,7 +18,7 @@ iris_status picture_reserve(picture_buffer *picture, iris_size size, iris_format
     if (needed > picture->capacity) {
         picture_free(picture);
         if (needed > PICTURE_MEMORY_MAX - taken) {
-            return IRIS_ERR_SCRATCH;
+            return IRIS_ERR_FULL;
         }
         picture->memory = malloc(needed);
         if (!picture->memory) {
@@ -27,6 +28,19 @@ iris_status picture_reserve(picture_buffer *picture, iris_size size, iris_format
         taken += needed;
     }
     return iris_image_wrap(&picture->image, picture->memory, picture->capacity, size, 0, format);
+}
+
+const char *picture_problem(iris_status status, iris_size size)
+{
+    static char text[80];
+    if (status == IRIS_ERR_FULL) {
+        snprintf(text, sizeof text, "%dx%d pixels would take more than 1 GiB", (int)size.w, (int)size.h);
+    } else if (status == IRIS_ERR_SCRATCH) {
+        snprintf(text, sizeof text, "not enough memory for %dx%d pixels", (int)size.w, (int)size.h);
+    } else {
+        snprintf(text, sizeof text, "%s", iris_status_text(status));
+    }
+    return text;
 }
 
 void picture_free(picture_buffer *picture)

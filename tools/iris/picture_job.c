@@ -19,11 +19,8 @@
 int picture_job_reserve(picture_job *job, picture_buffer *picture, iris_size size, iris_format format)
 {
     iris_status status = picture_reserve(picture, size, format);
-    if (status == IRIS_ERR_SCRATCH) {
-        complain(job->file, "%dx%d pixels need more memory than there is, or than 1 GiB", (int)size.w,
-                 (int)size.h);
-    } else if (status != IRIS_OK) {
-        complain(job->file, "%s", iris_status_text(status));
+    if (status != IRIS_OK) {
+        complain(job->file, "%s", picture_problem(status, size));
     }
     return status == IRIS_OK;
 }
@@ -70,33 +67,23 @@ static void report(const picture_job *job, const char *output, const iris_image 
     json_string(&json, result->format == IRIS_MASK1   ? "mask"
                        : result->format == IRIS_GRAY8 ? "gray"
                                                       : "color");
-    if (job->threshold >= 0) {
+    if (job->has_threshold) {
         json_key(&json, "threshold");
-        json_integer(&json, job->threshold);
+        (job->threshold < 0) ? json_null(&json) : json_integer(&json, job->threshold);
     }
     json_close(&json, '}');
 }
 
-/* Reads, works, writes. folder: job->output is one. Returns an exit code. */
-static int run_one(picture_job *job, int folder)
+/* Works on the input that was read, and writes. folder: job->output is one. Returns an exit code. */
+static int convert_one(picture_job *job, int folder)
 {
-    static frame_reader reader;
-    iris_status status = frame_reader_open(&reader, job->file);
-    if (status == IRIS_OK) {
-        status = frame_reader_next(&reader, &job->input, 0);
-    }
-    frame_reader_close(&reader);
-    if (status != IRIS_OK) {
-        complain(job->file, "%s", frame_reader_problem(&reader));
-        return EXIT_BAD_DATA;
-    }
+    char path[PATH_MAX];
+    const char *output = folder ? path : job->output;
     iris_image result;
     int exit_code = job->work(&result, &job->input.image, job);
     if (exit_code != EXIT_DONE) {
         return exit_code;
     }
-    char path[PATH_MAX];
-    const char *output = folder ? path : job->output;
     if (folder && !path_in_folder(path, job->output, job->file, result.format)) {
         complain(job->file, "%s", strerror(ENAMETOOLONG));
         return EXIT_BAD_DATA;
@@ -108,6 +95,29 @@ static int run_one(picture_job *job, int folder)
         report(job, output, &result);
     }
     return EXIT_DONE;
+}
+
+/* The first picture of the file; from standard input to standard output every one, until the input ends. */
+static int run_one(picture_job *job, int folder)
+{
+    static frame_reader reader;
+    int is_filter = strcmp(job->file, "-") == 0 && strcmp(job->output, "-") == 0;
+    int exit_code = EXIT_DONE;
+    iris_status status = frame_reader_open(&reader, job->file);
+    do {
+        if (status == IRIS_OK) {
+            status = frame_reader_next(&reader, &job->input, 0);
+        }
+        if (status == IRIS_OK) {
+            exit_code = convert_one(job, folder);
+        }
+    } while (is_filter && status == IRIS_OK && exit_code == EXIT_DONE);
+    frame_reader_close(&reader);
+    if (status != IRIS_OK && !(status == IRIS_ERR_END && reader.frames > 0)) {
+        complain(job->file, "%s", frame_reader_problem(&reader));
+        exit_code = EXIT_BAD_DATA;
+    }
+    return exit_code;
 }
 
 static int is_folder(const char *path)

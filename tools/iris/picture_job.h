@@ -17,7 +17,8 @@ typedef struct picture_job {
     int (*work)(iris_image *result, const iris_image *input, struct picture_job *job);
     const void *options; /* the command's own */
     const char *file;    /* the input worked on */
-    int threshold;       /* that work chose, for the JSON; negative: none */
+    int has_threshold;   /* the JSON says which threshold was used: */
+    int threshold;       /* what work chose; negative: none, null */
     picture_buffer input, first, second;
 } picture_job;
 
