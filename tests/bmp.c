@@ -117,6 +117,47 @@ static void bit_fields_by_hand(void **state)
     }
 }
 
+/* Fields of 1 to 8 bits are rounded exactly: the value times 255 over the largest value. */
+static void narrow_fields_are_exact(void **state)
+{
+    (void)state;
+    for (int bits = 1; bits <= 8; bits++) {
+        uint32_t largest = (1u << bits) - 1;
+        for (uint32_t value = 0; value <= largest; value++) {
+            const uint32_t words[] = {largest << 24, largest << 3, largest << 13, value << 24 | value << 3};
+            uint8_t file[80] = {0};
+            put_header(file, 1, 1, 32, 3, 0);
+            for (int k = 0; k < 16; k++) {
+                file[54 + k] = (uint8_t)(words[k / 4] >> 8 * (k % 4));
+            }
+            decoded result = decode(file, 70, IRIS_RGB888);
+            assert_int_equal(result.status, IRIS_OK);
+            assert_int_equal(result.image.pixels[0], (int)(value * 255.0 / largest + 0.5));
+            assert_int_equal(result.image.pixels[1], result.image.pixels[0]);
+            assert_int_equal(result.image.pixels[2], 0);
+            free(result.image.pixels);
+        }
+    }
+}
+
+/* A data offset of 0 means: right behind the palette as declared. The padding of the last row may be missing. */
+static void what_is_missing_is_assumed(void **state)
+{
+    (void)state;
+    static const uint8_t expected[] = {10, 20, 30, 40, 10, 10};
+    static const uint8_t rows[] = {3, 0, 0, 0xFF, 0, 1, 2, 0xFF};
+    uint8_t file[100];
+    for (int i = 0; i < 2; i++) {
+        size_t bytes = put_rle(file, 3, 2, 8, rows, sizeof rows) - sizeof rows;
+        file[30] = 0; /* not compressed */
+        file[10] = (uint8_t)(i ? 0 : bytes);
+        decoded result = decode(file, bytes + 7, IRIS_GRAY8);
+        assert_int_equal(result.status, IRIS_OK);
+        assert_memory_equal(result.image.pixels, expected, 6);
+        free(result.image.pixels);
+    }
+}
+
 static void absurd_headers_are_refused(void **state)
 {
     (void)state;
@@ -416,7 +457,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(run_lengths_by_hand),          cmocka_unit_test(run_lengths_cannot_go_on_forever),
-        cmocka_unit_test(bit_fields_by_hand),           cmocka_unit_test(absurd_headers_are_refused),
+        cmocka_unit_test(bit_fields_by_hand),           cmocka_unit_test(narrow_fields_are_exact),
+        cmocka_unit_test(what_is_missing_is_assumed),   cmocka_unit_test(absurd_headers_are_refused),
         cmocka_unit_test(the_next_picture_is_found),    cmocka_unit_test(no_byte_is_asked_for_too_early),
         cmocka_unit_test(every_byte_may_fail),          cmocka_unit_test(writer_writes_these_bytes),
         cmocka_unit_test(what_is_written_is_read_back), cmocka_unit_test(failing_sinks_are_reported),

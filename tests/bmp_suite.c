@@ -22,7 +22,8 @@ static int matches(const picture *image, const char *list)
 {
     char names[256];
     snprintf(names, sizeof names, "%s", list);
-    for (char *name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+    char *rest = NULL;
+    for (char *name = strtok_r(names, ",", &rest); name; name = strtok_r(NULL, ",", &rest)) {
         char path[300];
         snprintf(path, sizeof path, "bmp/ref/%s.ppm", name);
         picture reference = load_pnm(data_path(path));

@@ -92,8 +92,8 @@ static ptrdiff_t too_many(void *user, uint8_t *buffer, size_t bytes)
 
 static ptrdiff_t takes_too_many(void *user, const uint8_t *data, size_t bytes)
 {
-    (void)user;
     (void)data;
+    ++*(int *)user;
     return (ptrdiff_t)bytes + 1;
 }
 
@@ -122,7 +122,9 @@ static void failures_are_told(void **state)
     iris_stream stream;
     assert_int_equal(iris_stream_init(&stream, (iris_source){too_many, NULL}), IRIS_OK);
     assert_int_equal(iris_stream_read(&stream, buffer, 4), IRIS_ERR_IO);
-    assert_int_equal(iris_sink_write(&(iris_sink){takes_too_many, NULL}, data, 4), IRIS_ERR_IO);
+    int calls = 0;
+    assert_int_equal(iris_sink_write(&(iris_sink){takes_too_many, &calls}, data, 4), IRIS_ERR_IO);
+    assert_int_equal(calls, 1);
     assert_int_equal(iris_sink_write(&(iris_sink){takes_nothing, NULL}, data, 4), IRIS_ERR_IO);
     assert_int_equal(iris_sink_write(&(iris_sink){takes_nothing, NULL}, data, 0), IRIS_OK);
     assert_int_equal(iris_sink_write(&(iris_sink){0}, data, 4), IRIS_ERR_ARG);

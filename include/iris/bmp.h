@@ -76,10 +76,10 @@ iris_status iris_bmp_begin(iris_bmp_reader *reader, iris_stream *stream);
  * null pointer, or the reader did not begin. O(w). */
 iris_status iris_bmp_row(void *row, int32_t *y, iris_bmp_reader *reader, iris_format format);
 
-/* Leaves the stream at the end of this picture, where the next may begin: behind the last pixel, or at the
- * file size of the header where that is at most IRIS_BMP_GAP_MAX further. Rows not read yet are passed over.
- * If the input ends behind the last pixel but before that file size, that is fine. Otherwise the errors of
- * iris_bmp_row; IRIS_ERR_END: it was finished before. O(bytes left). */
+/* Leaves the stream at the end of this picture, where the next may begin: behind the last pixel (RLE: behind the end of
+ * bitmap), or at the end that the header declares where that is at most IRIS_BMP_GAP_MAX further. Rows not read yet are
+ * passed over. If the input ends behind the last pixel but before the declared end, that is fine. Otherwise the errors
+ * of iris_bmp_row; IRIS_ERR_END: it was finished before. O(bytes left). */
 iris_status iris_bmp_finish(iris_bmp_reader *reader);
 
 /* iris_bmp_row for all rows (those not delivered yet), then iris_bmp_finish. image must be reader->w x

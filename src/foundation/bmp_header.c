@@ -164,7 +164,7 @@ static iris_status set_mask(iris_bmp_reader *reader, int32_t i, uint32_t mask)
         shift++;
     }
     reader->shift[i] = (uint8_t)shift;
-    reader->scale_q16[i] = ((255u << 16) + largest / 2) / largest;
+    reader->scale_q16[i] = (255u << 16) / largest;
     return IRIS_OK;
 }
 

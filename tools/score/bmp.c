@@ -81,8 +81,9 @@ static int difference(const iris_image *a, const iris_image *b, const iris_image
 static int is_right(const picture *found, char *references)
 {
     int right = 0;
-    for (char *name = strtok(references, ","); name && found->status == IRIS_OK && !right;
-         name = strtok(NULL, ",")) {
+    char *rest = NULL;
+    for (char *name = strtok_r(references, ",", &rest); name && found->status == IRIS_OK && !right;
+         name = strtok_r(NULL, ",", &rest)) {
         picture reference = load("ref/", name, ".ppm");
         picture alpha = load("ref/", name, ".alpha.pgm");
         right = reference.status == IRIS_OK && difference(&found->image, &reference.image, &alpha.image) <= 1;
