@@ -28,13 +28,6 @@ void iris_row_swap_888_c(uint8_t *dst, const uint8_t *src, int32_t n)
     }
 }
 
-/* Writes the low `count` (1 to 32) bits of `bits` and keeps the rest of the word. */
-static void store_bits(uint32_t *word, uint32_t bits, int32_t count)
-{
-    uint32_t keep = count == 32 ? 0u : ~0u << count;
-    *word = (*word & keep) | (bits & ~keep);
-}
-
 void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int32_t n)
 {
     for (int32_t start = 0; start < n; start += 32, src += 32) {
@@ -43,7 +36,7 @@ void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int3
         for (int32_t i = 0; i < count; i++) {
             bits |= (uint32_t)(src[i] > limit) << i;
         }
-        store_bits(&mask[start / 32], bits, count);
+        iris_row_put_bits(&mask[start / 32], bits, count);
     }
 }
 
@@ -93,6 +86,6 @@ void iris_row_above_mean_u8_c(uint32_t *mask, const uint8_t *src, const uint32_t
             bits |= (uint32_t)((src[start + i] + window.c) * area > total) << i;
             total -= (int32_t)sums[start + i];
         }
-        store_bits(&mask[start / 32], bits, count);
+        iris_row_put_bits(&mask[start / 32], bits, count);
     }
 }

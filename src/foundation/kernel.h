@@ -10,7 +10,21 @@
 #include <stdint.h>
 
 #include "iris/color.h"
+
+/* What iris_row_above_mean_u8 compares with; here, so that ports can declare theirs. */
+typedef struct {
+    int32_t side; /* of the square window: odd, 1 to 2047 */
+    int32_t c;    /* gray levels below the mean, -255 to 255 */
+} iris_row_window;
+
 #include "iris_port.h"
+
+/* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
+static inline void iris_row_put_bits(uint32_t *word, uint32_t bits, int32_t count)
+{
+    uint32_t keep = count == 32 ? 0u : ~0u << count;
+    *word = (*word & keep) | (bits & ~keep);
+}
 
 /* dst = (77 R + 150 G + 29 B + 128) >> 8. */
 void iris_row_luma_rgb888_c(uint8_t *dst, const uint8_t *src, int32_t n);
@@ -47,11 +61,6 @@ void iris_row_slide_u32_c(uint32_t *sums, const uint8_t *enter, const uint8_t *l
 #ifndef iris_row_slide_u32
 #define iris_row_slide_u32 iris_row_slide_u32_c
 #endif
-
-typedef struct {
-    int32_t side; /* of the square window: odd, 1 to 2047 */
-    int32_t c;    /* gray levels below the mean, -255 to 255 */
-} iris_row_window;
 
 /* bit i = src[i] > mean - c, where mean = (sums[i] + ... + sums[i + side - 1]) / side^2, exactly. sums holds
  * n + side - 1 columns, each of at most 255 * side. */

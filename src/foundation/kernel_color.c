@@ -31,7 +31,6 @@ void iris_row_hsl_range_c(uint32_t *mask, const uint8_t *rgb, const iris_hsl_ran
         for (int32_t i = 0; i < count; i++, rgb += 3) {
             bits |= (uint32_t)in_range(rgb, test) << i;
         }
-        uint32_t keep = count == 32 ? 0u : ~0u << count;
-        mask[start / 32] = (mask[start / 32] & keep) | bits;
+        iris_row_put_bits(&mask[start / 32], bits, count);
     }
 }
