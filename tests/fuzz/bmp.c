@@ -1,4 +1,5 @@
-/* Reads a stream of BMP pictures, in all formats, and passes over every fourth. */
+/* Reads a stream of BMP pictures, in all formats, and passes over every fourth.
+ * seeds: bmp/g bmp/q bmp/b */
 #include <stdlib.h>
 
 #include "iris/bmp.h"

@@ -1,4 +1,5 @@
-/* Reads a stream of PGM and PPM pictures, in all formats, and passes over every fourth. */
+/* Reads a stream of PGM and PPM pictures, in all formats, and passes over every fourth.
+ * seeds: bmp/ref */
 #include <stdlib.h>
 
 #include "iris/pnm.h"
