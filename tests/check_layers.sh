@@ -17,11 +17,13 @@ found=$(awk '
         allow("linux", "linux foundation xt 3d osiris runtime borg")
         allow("user", "user foundation xt 3d osiris runtime borg linux")
     }
-    function layer_of(path) {
+    function layer_of(path,   source) {
         if (path ~ /^src\/foundation\/kernel[a-z_0-9]*\.[ch]$/)  return "kernel"
         if (match(path, /^(src|include\/iris)\/(foundation|xt|3d|osiris|runtime|borg|linux)[\/.]/)) {
             sub(/^(src|include\/iris)\//, "", path); sub(/[\/.].*/, "", path); return path }
-        if (path ~ /^include\/iris\/[a-z0-9_]+\.h$/)       return "foundation"
+        if (path ~ /^include\/iris\/[a-z0-9_]+\.h$/) {
+            source = path; gsub(/.*\/|\.h$/, "", source)
+            return exists("port/os/linux/" source ".c") ? "linux" : "foundation" }
         if (path ~ /^port\/cpu\//)                          return "port"
         if (path ~ /^port\/os\//)                           return "os"
         if (path ~ /^(tools|examples|tests)\//)             return "user"

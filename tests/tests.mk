@@ -55,9 +55,14 @@ UNITY_ROOT ?=
 UNITY      := $(if $(UNITY_ROOT),-I$(UNITY_ROOT)/src,-Itests/target/unity)
 TARGETINC  := -Itests/target $(UNITY) -DUNITY_INCLUDE_CONFIG_H
 
-START     := $(OUT)/tests/target/startup.o
-FIRMWARE  := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
-$(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(START) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
+TARGET_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/target/*.c))
+START      := $(OUT)/tests/target/startup.o
+BOARD      := $(filter-out %/firmware.o $(OUT)/tests/target/test_%,$(TARGET_OBJ))
+FIRMWARE   := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
+.SECONDARY: $(TARGET_OBJ)
+$(OUT)/firmware.elf: $(OUT)/tests/target/firmware.o $(BOARD) $(LIB)
+	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+$(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
 	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/digest.elf: $(filter-out $(DIGEST_HOST),$(DIGEST_OBJ)) $(START) $(LIB)
 	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)

@@ -34,4 +34,12 @@ bench: $(COUNTER) ## instructions per pixel on M4, M0, and AArch64 (exact), nano
 	+@$(A64) RESULT=3-AArch64 count-user
 	+@$(NATIVE) RESULT=4-host-ns time-host
 	@tools/bench/table $(RESULTS)/*
-.PHONY: bench count-target count-user time-host
+
+size: ## bytes of flash and RAM on a Cortex-M0 at -Os: every file of the library, and the firmware follower
+	+@$(M0) weigh
+weigh: $(LIB) $(OUT)/firmware.elf
+	@$(CROSS_COMPILE)size $(LIB) | awk 'NR > 1 { printf "%6d %5d  %s\n", $$1 + $$2, $$2 + $$3, $$6; f += $$1 + $$2; r += $$2 + $$3 } \
+	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
+	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
+	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
+.PHONY: size weigh bench count-target count-user time-host
