@@ -40,26 +40,57 @@ void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int3
     }
 }
 
-void iris_row_scan8_u8_c(uint8_t *below, uint16_t *sum, const uint8_t *src, const uint8_t *limit, int32_t n)
+/* Four bytes as a word, the first in the low byte; one load where the processor can. */
+static inline uint32_t word_at(const uint8_t *p)
 {
-    for (; n >= 8; n -= 8, src += 8) {
-        uint32_t total = 0, bits = 0, edge = *limit++;
-        for (uint32_t i = 0; i < 8; i++) {
-            uint32_t p = src[i];
-            total += p;
-            bits |= (p - edge) >> 31 << i;
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
+}
+
+#define HIGH 0x80808080u
+#define EVEN 0x00ff00ffu
+
+/* Bit 7 of each byte of x: is the byte below limit? Bytes are compared in their low seven bits by a subtraction that cannot
+ * borrow across bytes, and then by their high bits. */
+static inline uint32_t below_bytes(uint32_t x, uint32_t limits)
+{
+    uint32_t at_least = (x | HIGH) - (limits & ~HIGH);
+    return ~(limits & HIGH ? x & at_least : x | at_least) & HIGH;
+}
+
+/* Bits 7, 15, 23, and 31 of marks as bits 0 to 3. The products of the four shifts do not meet. */
+static inline uint32_t gather_bits(uint32_t marks)
+{
+    return (marks >> 7) * 0x01020408u >> 24 & 15u;
+}
+
+static inline void scan_block(iris_block8 *block, uint32_t x0, uint32_t x1)
+{
+    uint32_t limits = block->limit * 0x01010101u;
+    uint32_t pairs = (x0 & EVEN) + (x1 & EVEN) + (x0 >> 8 & EVEN) + (x1 >> 8 & EVEN);
+    uint32_t marks0 = below_bytes(x0, limits), marks1 = below_bytes(x1, limits);
+    block->sum = (uint16_t)(pairs + (pairs >> 16));
+    block->below = (uint8_t)((marks0 | marks1) == 0 ? 0 : gather_bits(marks0) | gather_bits(marks1) << 4);
+}
+
+void iris_row_scan8_u8_c(iris_block8 *block, const uint8_t *src, int32_t n)
+{
+    if ((uintptr_t)src % 4 == 0) {
+        for (; n >= 8; n -= 8, src += 8) {
+            const uint8_t *aligned = (const uint8_t *)__builtin_assume_aligned(src, 4);
+            scan_block(block++, word_at(aligned), word_at(aligned + 4));
         }
-        *sum++ = (uint16_t)total;
-        *below++ = (uint8_t)bits;
+    }
+    for (; n >= 8; n -= 8, src += 8) {
+        scan_block(block++, word_at(src), word_at(src + 4));
     }
     if (n > 0) {
         uint32_t total = 0, bits = 0;
         for (int32_t i = 0; i < n; i++) {
             total += src[i];
-            bits |= (uint32_t)(src[i] < *limit) << i;
+            bits |= (uint32_t)(src[i] < block->limit) << i;
         }
-        *sum = (uint16_t)total;
-        *below = (uint8_t)bits;
+        block->sum = (uint16_t)total;
+        block->below = (uint8_t)bits;
     }
 }
 

@@ -49,9 +49,15 @@ void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int3
 #define iris_row_above_u8 iris_row_above_u8_c
 #endif
 
-/* For each block of 8 pixels: sum[b] = the sum of its pixels, below[b] bit i = src[8 b + i] < limit[b].
- * A last block of fewer pixels counts only those; its higher bits are 0. */
-void iris_row_scan8_u8_c(uint8_t *below, uint16_t *sum, const uint8_t *src, const uint8_t *limit, int32_t n);
+/* Eight neighboring pixels of a row. */
+typedef struct iris_block8 {
+    uint16_t sum;  /* of the pixels */
+    uint8_t limit; /* given */
+    uint8_t below; /* bit i = pixel i < limit */
+} iris_block8;
+
+/* Sets sum and below of each block of 8 pixels. A last block of fewer pixels counts only those; its higher bits are 0. */
+void iris_row_scan8_u8_c(iris_block8 *block, const uint8_t *src, int32_t n);
 #ifndef iris_row_scan8_u8
 #define iris_row_scan8_u8 iris_row_scan8_u8_c
 #endif

@@ -54,12 +54,11 @@ static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
     follow->owner = iris_scratch_take(scratch, h * IRIS_FOLLOW_RUNS);
     follow->chains = iris_scratch_take(scratch, IRIS_FOLLOW_CHAINS * sizeof(iris_follow_chain));
     follow->floor = iris_scratch_take(scratch, blocks * 2);
-    follow->sum = iris_scratch_take(scratch, blocks * 2);
-    follow->limit = iris_scratch_take(scratch, blocks);
-    follow->line = iris_scratch_take(scratch, ((size_t)follow->size.w + 31) / 32 * 4);
+    follow->blocks = iris_scratch_take(scratch, blocks * sizeof(iris_block8));
+    follow->mask = iris_scratch_take(scratch, ((size_t)follow->size.w + 31) / 32 * 4);
     follow->row = iris_scratch_take(scratch, (size_t)follow->size.w * 3);
-    if (!follow->runs || !follow->owner || !follow->chains || !follow->floor || !follow->sum ||
-        !follow->limit || !follow->line || !follow->row) {
+    if (!follow->runs || !follow->owner || !follow->chains || !follow->floor || !follow->blocks ||
+        !follow->mask || !follow->row) {
         iris_scratch_release(scratch, mark);
         return IRIS_ERR_SCRATCH;
     }
@@ -91,6 +90,7 @@ iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_fol
     int32_t least = size.w * made.config.min_width_permil / 1000;
     made.min_width = least < 2 ? 2 : least;
     made.max_gap = 1 + (size.w < size.h ? size.w : size.h) / 80;
+    made.contrast_q10 = made.config.contrast_permil * 1024 / 1000;
     iris_status status = take_memory(&made, scratch);
     if (status == IRIS_OK) {
         *follow = made;

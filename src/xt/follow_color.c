@@ -1,21 +1,11 @@
 #include "follow_parts.h"
 
-/* The mask's words, byte by byte: bit i of byte b is column 8 b + i on every processor. */
-static void to_bytes(uint8_t *line, const uint32_t *mask, size_t words)
-{
-    for (size_t k = 0; k < words; k++) {
-        uint32_t word = mask[k];
-        for (size_t i = 0; i < 4; i++) {
-            line[4 * k + i] = (uint8_t)(word >> (8 * i));
-        }
-    }
-}
-
 void iris_follow_mark_color(iris_follow *follow, const uint8_t *rgb)
 {
-    uint32_t *mask = (uint32_t *)(void *)follow->line;
-    size_t words = ((size_t)follow->size.w + 31) / 32;
-    mask[words - 1] = 0; /* bits past w */
-    iris_hsl_range_row(mask, rgb, follow->size.w, &follow->color);
-    to_bytes(follow->line, mask, words);
+    int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
+    follow->mask[(follow->size.w - 1) / 32] = 0; /* bits past w */
+    iris_row_hsl_range(follow->mask, rgb, &follow->color, follow->size.w);
+    for (int32_t b = 0; b < blocks; b++) {
+        follow->blocks[b].below = (uint8_t)(follow->mask[b / 4] >> (b % 4 * 8));
+    }
 }

@@ -1,129 +1,141 @@
 /* The floor: a level per block of 8 columns, learned from the rows above.
  *
- * A block without line pixels draws its level towards what it shows. A block with line pixels cannot see the
- * floor, so it follows the floor to its left and right instead; where there is none either (a line across the
- * whole image), it gives in slowly, so that a floor that really is that dark is floor again after a while.
- * The first row has no row above: its valleys are filled between the hills to their left and right. */
-#include "../foundation/kernel.h"
+ * A block without line pixels draws its level towards what it shows, quickly up and slowly down. A block with line pixels
+ * cannot see the floor, so it follows the floor to its left and right instead; where there is none (a line across the
+ * whole image), it gives in slowly, so that a floor that really is that dark is floor again after a while. The first row
+ * has no row above: its valleys are filled between the hills to their left and right.
+ *
+ * Levels have 8 fraction bits. For bright lines everything is turned upside down: 0 is white. */
 #include "follow_parts.h"
-
-#define LEVEL(value) ((int32_t)((value) << 8)) /* 8 fraction bits */
 
 enum { UP = 2, DOWN = 5, BESIDE = 3, GIVE_IN = 6 }; /* each row, 1 / 2^n of the difference */
 
-static int32_t block_level(const iris_follow *follow, int32_t block, int32_t blocks)
-{
-    int32_t rest = follow->size.w % 8;
-    if (block == blocks - 1 && rest != 0) {
-        return LEVEL((int32_t)follow->sum[block]) / rest;
-    }
-    return (int32_t)follow->sum[block] << 5;
-}
-
-/* Line pixels are below (dark) or above (bright) this. The absolute margin keeps noise out of dark scenes. */
-static void set_limit(iris_follow *follow, int32_t block)
+/* Line pixels are below this. The absolute margin keeps noise out of dark scenes. */
+static inline int32_t limit_of(int32_t floor, int32_t contrast_q10)
 {
     enum { MARGIN = 16 };
-    int32_t floor = follow->floor[block] >> 8;
-    int32_t contrast = follow->config.contrast_permil;
-    if (follow->config.kind == IRIS_FOLLOW_BRIGHT) {
-        int32_t above = floor + (255 - floor) * contrast / 1000;
-        above = above < floor + MARGIN ? floor + MARGIN : above;
-        follow->limit[block] = (uint8_t)(above > 255 ? 255 : above);
-    } else {
-        int32_t below = floor - floor * contrast / 1000;
-        below = below > floor - MARGIN ? floor - MARGIN : below;
-        follow->limit[block] = (uint8_t)(below < 0 ? 0 : below);
+    int32_t depth = (floor * contrast_q10) >> 18;
+    int32_t limit = (floor >> 8) - (depth > MARGIN ? depth : MARGIN);
+    return limit < 0 ? 0 : limit;
+}
+
+static int is_bright(const iris_follow *follow)
+{
+    return follow->config.kind == IRIS_FOLLOW_BRIGHT;
+}
+
+/* The last block may be narrower: its sum becomes that of a whole block. */
+static void complete_last_block(const iris_follow *follow, iris_block8 *last)
+{
+    int32_t rest = follow->size.w % 8;
+    if (rest != 0) {
+        last->sum = (uint16_t)(last->sum * 8 / rest);
     }
 }
 
-/* The floor of the first row: every valley is filled up to the lower of the two hills around it. (Bright
- * lines are the same upside down.) Beyond the image's sides a hill of a third of the highest level is
- * assumed, so that a line that is cut by the side is seen too. */
-static void first_floor(iris_follow *follow, int32_t blocks)
+/* Turns a row upside down and back: a bright pixel is not below 256 - limit. */
+static void turn_limits(const iris_follow *follow, int32_t blocks)
 {
-    int32_t flip = follow->config.kind == IRIS_FOLLOW_BRIGHT ? LEVEL(255) : 0;
+    for (int32_t b = 0; b < blocks; b++) {
+        int32_t limit = follow->blocks[b].limit;
+        follow->blocks[b].limit = (uint8_t)(limit == 0 ? 255 : 256 - limit);
+    }
+}
+
+static void turn_pixels(const iris_follow *follow, int32_t blocks)
+{
+    for (int32_t b = 0; b < blocks; b++) {
+        follow->blocks[b].below ^= 0xff;
+        follow->blocks[b].sum = (uint16_t)(2040 - follow->blocks[b].sum);
+    }
+    int32_t rest = follow->size.w % 8;
+    if (rest != 0) {
+        follow->blocks[blocks - 1].below &= (uint8_t)((1 << rest) - 1);
+    }
+}
+
+static void scan(const iris_follow *follow, const uint8_t *gray, int32_t blocks)
+{
+    if (is_bright(follow)) {
+        turn_limits(follow, blocks);
+    }
+    iris_row_scan8_u8(follow->blocks, gray, follow->size.w);
+    complete_last_block(follow, &follow->blocks[blocks - 1]);
+    if (is_bright(follow)) {
+        turn_pixels(follow, blocks);
+        turn_limits(follow, blocks);
+    }
+}
+
+/* The floor of the first row: every valley is filled up to the lower of the two hills around it. Beyond the image's sides a
+ * hill of a third of the highest level is assumed, so that a line that is cut by the side is seen too. */
+static void first_floor(const iris_follow *follow, int32_t blocks)
+{
     int32_t highest = 0;
     for (int32_t b = 0; b < blocks; b++) {
-        int32_t level = block_level(follow, b, blocks);
-        level = flip ? flip - level : level;
-        highest = level > highest ? level : highest;
+        int32_t sum = follow->blocks[b].sum;
+        highest = sum > highest ? sum : highest;
     }
-    int32_t hill = highest * 5 / 16;
+    int32_t beyond = highest * 5 / 16;
+    int32_t hill = beyond;
     for (int32_t b = 0; b < blocks; b++) {
-        int32_t level = block_level(follow, b, blocks);
-        level = flip ? flip - level : level;
-        hill = level > hill ? level : hill;
-        follow->floor[b] = (uint16_t)hill;
+        hill = follow->blocks[b].sum > hill ? follow->blocks[b].sum : hill;
+        follow->floor[b] = (uint16_t)(hill << 5);
     }
-    hill = highest * 5 / 16;
+    hill = beyond;
     for (int32_t b = blocks - 1; b >= 0; b--) {
-        int32_t level = block_level(follow, b, blocks);
-        level = flip ? flip - level : level;
-        hill = level > hill ? level : hill;
-        int32_t filled = hill < follow->floor[b] ? hill : follow->floor[b];
-        follow->floor[b] = (uint16_t)(flip ? flip - filled : filled);
-        set_limit(follow, b);
+        hill = follow->blocks[b].sum > hill ? follow->blocks[b].sum : hill;
+        int32_t level = follow->floor[b] < hill << 5 ? follow->floor[b] : hill << 5;
+        follow->floor[b] = (uint16_t)level;
+        follow->blocks[b].limit = (uint8_t)limit_of(level, follow->contrast_q10);
     }
-}
-
-static void approach(uint16_t *floor, int32_t level, int32_t shift)
-{
-    *floor = (uint16_t)(*floor + ((level - *floor) >> shift));
 }
 
 /* Blocks first to last show no floor. At a side of the image, where there is floor on one hand only, they keep what they
  * know: the light may fall off towards the side. */
-static void bridge(iris_follow *follow, int32_t first, int32_t last, int32_t blocks)
+static void bridge(const iris_follow *follow, int32_t first, int32_t last, int32_t blocks)
 {
     int at_left = first == 0, at_right = last == blocks - 1;
+    if (at_left != at_right) {
+        return;
+    }
+    int32_t beside = 0;
+    if (!at_left) {
+        int32_t left = follow->floor[first - 1], right = follow->floor[last + 1];
+        beside = left < right ? left : right;
+    }
     for (int32_t b = first; b <= last; b++) {
-        if (at_left && at_right) {
-            approach(&follow->floor[b], block_level(follow, b, blocks), GIVE_IN);
-        } else if (!at_left && !at_right) {
-            int32_t left = follow->floor[first - 1], right = follow->floor[last + 1];
-            approach(&follow->floor[b], left < right ? left : right, BESIDE);
+        int32_t level = follow->floor[b];
+        level += at_left ? ((follow->blocks[b].sum << 5) - level) >> GIVE_IN : (beside - level) >> BESIDE;
+        follow->floor[b] = (uint16_t)level;
+        follow->blocks[b].limit = (uint8_t)limit_of(level, follow->contrast_q10);
+    }
+}
+
+/* Follows what the blocks without line pixels show, up to the first block with some. Returns its number, or blocks. */
+static int32_t learn_clear(const iris_follow *follow, int32_t b, int32_t blocks)
+{
+    int32_t contrast_q10 = follow->contrast_q10;
+    iris_block8 *block = &follow->blocks[b], *end = &follow->blocks[blocks];
+    uint16_t *floor = &follow->floor[b];
+    for (; block < end && block->below == 0; block++, floor++) {
+        int32_t level = *floor;
+        int32_t difference = (block->sum << 5) - level;
+        level += difference > 0 ? difference >> UP : difference >> DOWN;
+        *floor = (uint16_t)level;
+        block->limit = (uint8_t)limit_of(level, contrast_q10);
+    }
+    return (int32_t)(block - follow->blocks);
+}
+
+static void learn(const iris_follow *follow, int32_t blocks)
+{
+    for (int32_t b = learn_clear(follow, 0, blocks); b < blocks; b = learn_clear(follow, b, blocks)) {
+        int32_t first = b;
+        while (b < blocks && follow->blocks[b].below != 0) {
+            b++;
         }
-        set_limit(follow, b);
-    }
-}
-
-static void learn(iris_follow *follow, int32_t blocks)
-{
-    int bright = follow->config.kind == IRIS_FOLLOW_BRIGHT;
-    for (int32_t b = 0; b < blocks; b++) {
-        if (follow->line[b] == 0) {
-            int32_t level = block_level(follow, b, blocks);
-            approach(&follow->floor[b], level, (level > follow->floor[b]) == bright ? DOWN : UP);
-            set_limit(follow, b);
-        } else {
-            int32_t last = b;
-            while (last + 1 < blocks && follow->line[last + 1] != 0) {
-                last++;
-            }
-            bridge(follow, b, last, blocks);
-            b = last;
-        }
-    }
-}
-
-/* Bright lines: the bits of pixels that are not below the limit. */
-static void complement(iris_follow *follow, int32_t blocks)
-{
-    for (int32_t b = 0; b < blocks; b++) {
-        follow->line[b] ^= 0xff;
-    }
-    int32_t rest = follow->size.w % 8;
-    if (rest != 0) {
-        follow->line[blocks - 1] &= (uint8_t)((1 << rest) - 1);
-    }
-}
-
-static void scan(iris_follow *follow, const uint8_t *gray, int32_t blocks)
-{
-    iris_row_scan8_u8(follow->line, follow->sum, gray, follow->limit, follow->size.w);
-    if (follow->config.kind == IRIS_FOLLOW_BRIGHT) {
-        complement(follow, blocks);
+        bridge(follow, first, b - 1, blocks);
     }
 }
 

@@ -2,6 +2,7 @@
 #ifndef IRIS_FOLLOW_PARTS_H
 #define IRIS_FOLLOW_PARTS_H
 
+#include "../foundation/kernel.h"
 #include "iris/xt/follow.h"
 #include "iris/xt/regress.h"
 

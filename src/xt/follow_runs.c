@@ -42,7 +42,7 @@ static int32_t find_runs(iris_follow *follow, iris_span *runs)
     int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
     int32_t count = 0, left = -1, right = -1;
     for (int32_t b = 0; b < blocks; b++) {
-        uint32_t bits = follow->line[b];
+        uint32_t bits = follow->blocks[b].below;
         int32_t x = 8 * b;
         while (bits != 0) {
             while (!(bits & 1u)) {
@@ -96,8 +96,15 @@ static int32_t free_chain(iris_follow *follow)
     return smallest;
 }
 
+/* A pixel's level, upside down for bright lines, as the floor is. */
+static int32_t level_at(const iris_follow *follow, const uint8_t *gray, int32_t x)
+{
+    return follow->config.kind == IRIS_FOLLOW_BRIGHT ? 255 - gray[x] : gray[x];
+}
+
 /* One sample of how the run stands out: its middle pixel against the floor there. */
-static void sample_contrast(iris_follow *follow, iris_follow_chain *chain, iris_span run, const uint8_t *gray)
+static void sample_contrast(const iris_follow *follow, iris_follow_chain *chain, iris_span run,
+                            const uint8_t *gray)
 {
     if (!gray) {
         chain->contrast_sum += 1;
@@ -106,18 +113,15 @@ static void sample_contrast(iris_follow *follow, iris_follow_chain *chain, iris_
     }
     int32_t x = (run.left + run.right) >> 1;
     int32_t floor = follow->floor[x >> 3] >> 8;
-    int32_t bright = follow->config.kind == IRIS_FOLLOW_BRIGHT;
-    chain->contrast_sum += bright ? gray[x] - floor : floor - gray[x];
-    chain->range_sum += bright ? 255 - floor : floor;
+    chain->contrast_sum += floor - level_at(follow, gray, x);
+    chain->range_sum += floor;
 }
 
-/* Is the pixel on the line's side of the floor, if only by a third of the contrast asked for? */
+/* Is the pixel below the floor, if only by a third of the contrast asked for? */
 static int is_weak(const iris_follow *follow, const uint8_t *gray, int32_t x)
 {
-    int32_t floor = follow->floor[x >> 3] >> 8;
-    int32_t limit = follow->limit[x >> 3];
-    return follow->config.kind == IRIS_FOLLOW_BRIGHT ? (gray[x] - floor) * 3 > limit - floor
-                                                     : (floor - gray[x]) * 3 > floor - limit;
+    int32_t floor = follow->floor[x >> 3];
+    return ((floor >> 8) - level_at(follow, gray, x)) * 3 > floor * follow->contrast_q10 >> 18;
 }
 
 /* Where glare weakens the line, its run grows over weak pixels up to where it was in the row above. */

@@ -85,7 +85,7 @@ typedef struct {
 #define IRIS_FOLLOW_SCRATCH_BYTES(w, h)                                                                      \
     (IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS * sizeof(iris_span)) +                                  \
      IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 32) +        \
-     2 * IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w)) +         \
+     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 4) +         \
      IRIS_SCRATCH_ROUND(((size_t)(w) + 31) / 32 * 4) + IRIS_SCRATCH_ROUND((size_t)(w)*3))
 
 /* A follower. The fields are its own; keep it anywhere, but do not copy it while a frame is being fed. */
@@ -93,20 +93,20 @@ typedef struct {
     iris_follow_config config;
     iris_hsl_range_test color; /* the range, made ready */
     iris_size size;
-    int32_t y;         /* rows fed in this frame; -1 between frames */
-    int32_t min_width; /* pixels */
-    int32_t max_gap;   /* columns that do not interrupt a run, rows that do not interrupt a chain */
+    int32_t y;            /* rows fed in this frame; -1 between frames */
+    int32_t min_width;    /* pixels */
+    int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
+    int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
     int32_t chain_count;
     int32_t seen;            /* 1 once a line was found */
     uint32_t seen_ms;        /* when */
     iris_follow_result last; /* what a stale frame repeats */
     /* in the caller's working memory: */
-    uint16_t *floor; /* level of the floor per block of 8 columns, 8 fraction bits */
-    uint16_t *sum;   /* of the pixels of each block in this row */
-    uint8_t *limit;  /* a line pixel is below (dark) or at least (bright) this level */
-    uint8_t *line;   /* line pixels of each block in this row, first pixel in the least significant bit */
-    iris_span *runs; /* IRIS_FOLLOW_RUNS per row; after the frame: one span per row */
-    uint8_t *owner;  /* chain of each run */
+    uint16_t *floor;            /* level of the floor per block of 8 columns, 8 fraction bits */
+    struct iris_block8 *blocks; /* this row, 8 columns each */
+    uint32_t *mask;             /* this row by color, one bit per column */
+    iris_span *runs;            /* IRIS_FOLLOW_RUNS per row; after the frame: one span per row */
+    uint8_t *owner;             /* chain of each run */
     struct iris_follow_chain *chains;
     uint8_t *row; /* the row as GRAY8 or RGB888 */
 } iris_follow;
