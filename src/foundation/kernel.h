@@ -11,7 +11,15 @@
 
 #include "iris/color.h"
 
-/* What iris_row_above_mean_u8 compares with; here, so that ports can declare theirs. */
+/* What kernels take; here, so that ports can declare theirs. */
+
+/* Eight neighboring pixels of a row. */
+typedef struct iris_block8 {
+    uint16_t sum;  /* of the pixels */
+    uint8_t limit; /* given */
+    uint8_t below; /* bit i = pixel i < limit */
+} iris_block8;
+
 typedef struct {
     int32_t side; /* of the square window: odd, 1 to 2047 */
     int32_t c;    /* gray levels below the mean, -255 to 255 */
@@ -48,13 +56,6 @@ void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int3
 #ifndef iris_row_above_u8
 #define iris_row_above_u8 iris_row_above_u8_c
 #endif
-
-/* Eight neighboring pixels of a row. */
-typedef struct iris_block8 {
-    uint16_t sum;  /* of the pixels */
-    uint8_t limit; /* given */
-    uint8_t below; /* bit i = pixel i < limit */
-} iris_block8;
 
 /* Sets sum and below of each block of 8 pixels. A last block of fewer pixels counts only those; its higher bits are 0. */
 void iris_row_scan8_u8_c(iris_block8 *block, const uint8_t *src, int32_t n);
