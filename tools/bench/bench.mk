@@ -33,6 +33,7 @@ bench: $(COUNTER) ## instructions per pixel on M4, M0, and AArch64 (exact), nano
 	+@$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=2-M0 count-target
 	+@$(A64) RESULT=3-AArch64 count-user
 	+@$(NATIVE) RESULT=4-host-ns time-host
+	@echo 'Frames of 160x120, compiled with $(OPT).'
 	@tools/bench/table $(RESULTS)/*
 
 size: ## bytes of flash and RAM on a Cortex-M0 at -Os: every file of the library, and the firmware follower

@@ -1,27 +1,37 @@
 /* The cases: what a robot does with every frame, on a frame of 160x120 that a floor camera could have sent. */
 #include "bench.h"
 
-#include "iris/image.h"
-#include "iris/scratch.h"
+#include "iris/color.h"
+#include "iris/command.h"
+#include "iris/xt/follow.h"
+#include "iris/xt/regress.h"
+#include "iris/xt/steer.h"
 #include "iris/xt/threshold.h"
-
-#include <string.h>
 
 #define W 160
 #define H 120
 
 static IRIS_SCRATCH_BUFFER(gray_bytes, W *H);
+static IRIS_SCRATCH_BUFFER(color_bytes, W *H * 3);
 static IRIS_SCRATCH_BUFFER(mask_bytes, W / 8 * H);
 static IRIS_SCRATCH_BUFFER(working_bytes, 16384);
-static iris_image gray, mask;
+static iris_image gray, color, yuyv, mask;
 static iris_scratch scratch;
+static iris_follow follow;
+static iris_steer steer;
+
+static void wrap(iris_image *image, void *bytes, iris_format format)
+{
+    size_t needed = iris_format_row_bytes(format, W) * H;
+    (void)iris_image_wrap(image, bytes, needed, (iris_size){W, H}, 0, format);
+}
 
 /* A floor in uneven light, noise, and a dark line that leans to the right. */
-static void frame(void)
+static void gray_frame(void)
 {
     uint32_t random = 1;
-    (void)iris_image_wrap(&gray, gray_bytes.memory, W * H, (iris_size){W, H}, 0, IRIS_GRAY8);
-    (void)iris_image_wrap(&mask, mask_bytes.memory, W / 8 * H, (iris_size){W, H}, 0, IRIS_MASK1);
+    wrap(&gray, gray_bytes.memory, IRIS_GRAY8);
+    wrap(&mask, mask_bytes.memory, IRIS_MASK1);
     (void)iris_scratch_init(&scratch, working_bytes.memory, sizeof working_bytes.memory);
     for (int32_t y = 0; y < H; y++) {
         uint8_t *row = iris_image_row(&gray, y);
@@ -32,6 +42,38 @@ static void frame(void)
             row[x] = (uint8_t)(x >= line && x < line + 14 ? level / 4 : level);
         }
     }
+}
+
+static void color_frame(void)
+{
+    gray_frame();
+    wrap(&color, color_bytes.memory, IRIS_RGB888);
+    (void)iris_color_convert(&color, &gray);
+    for (size_t i = 0; i < (size_t)W * H; i++) {
+        color_bytes.memory[3 * i + i % 3] ^= (uint8_t)i;
+    }
+}
+
+static void yuyv_frame(void)
+{
+    color_frame();
+    wrap(&yuyv, color_bytes.memory, IRIS_YUYV);
+}
+
+static void luma_of_rgb(void)
+{
+    (void)iris_color_gray(&gray, &color, IRIS_GRAY_LUMA);
+}
+
+static void gray_of_yuyv(void)
+{
+    (void)iris_color_gray(&gray, &yuyv, IRIS_GRAY_LUMA);
+}
+
+static void hsl_range(void)
+{
+    const iris_hsl_range range = {40, 80, 30, 100, 20, 90};
+    (void)iris_hsl_range_mask(&mask, &color, &range);
 }
 
 static void threshold_fixed(void)
@@ -50,9 +92,47 @@ static void threshold_adaptive(void)
     (void)iris_threshold_adaptive(&mask, &gray, 12, 20, IRIS_SELECT_DARK, &scratch);
 }
 
+static void mask_frame(void)
+{
+    gray_frame();
+    (void)iris_threshold(&mask, &gray, 60, IRIS_SELECT_DARK);
+}
+
+static void regress_mask(void)
+{
+    iris_line line;
+    (void)iris_regress_mask(&line, &mask);
+}
+
+/* The second frame: the floor is known. */
+static void follower(void)
+{
+    iris_follow_result line;
+    gray_frame();
+    (void)iris_follow_init(&follow, (iris_size){W, H}, NULL, &scratch);
+    (void)iris_steer_init(&steer, NULL);
+    (void)iris_follow_frame(&line, &follow, &gray, 0);
+}
+
+static void frame_to_sentence(void)
+{
+    iris_follow_result line;
+    iris_command command;
+    char sentence[IRIS_COMMAND_SENTENCE_BYTES];
+    size_t length;
+    (void)iris_follow_frame(&line, &follow, &gray, 33);
+    (void)iris_steer_update(&command, &steer, &line, 33);
+    (void)iris_command_format(sentence, sizeof sentence, &length, &command);
+}
+
 const bench_case bench_cases[] = {
-    {"threshold, fixed", W *H, frame, threshold_fixed},
-    {"threshold, Otsu", W *H, frame, threshold_otsu},
-    {"threshold, adaptive 25x25", W *H, frame, threshold_adaptive},
+    {"RGB to gray by luma", W *H, color_frame, luma_of_rgb},
+    {"YUYV to gray", W *H, yuyv_frame, gray_of_yuyv},
+    {"RGB to mask by HSL range", W *H, color_frame, hsl_range},
+    {"threshold, fixed", W *H, gray_frame, threshold_fixed},
+    {"threshold, Otsu", W *H, gray_frame, threshold_otsu},
+    {"threshold, adaptive 25x25", W *H, gray_frame, threshold_adaptive},
+    {"regression over a mask", W *H, mask_frame, regress_mask},
+    {"line follower, gray frame to sentence", W *H, follower, frame_to_sentence},
     {0},
 };
