@@ -60,7 +60,7 @@ TOOL_OBJ := $(TOOL_SRC:%.c=$(OUT)/%.o)
 
 LIB    := $(OUT)/libiris.a
 OSLIB  := $(if $(OS_SRC),$(OUT)/libiris-$(OS).a)
-TOOL   := $(if $(TOOL_SRC),$(OUT)/iris)
+TOOL   := $(if $(and $(OSLIB),$(TOOL_SRC)),$(OUT)/iris)
 
 .PHONY: all help lib examples install uninstall clean
 .DELETE_ON_ERROR:
