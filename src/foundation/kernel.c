@@ -46,30 +46,31 @@ static inline uint32_t word_at(const uint8_t *p)
     return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
 
-#define HIGH 0x80808080u
-#define EVEN 0x00ff00ffu
+#define EVEN  0x00ff00ffu
+#define CARRY 0x01000100u
 
-/* Bit 7 of each byte of x: is the byte below limit? Bytes are compared in their low seven bits by a subtraction that cannot
- * borrow across bytes, and then by their high bits. */
-static inline uint32_t below_bytes(uint32_t x, uint32_t limits)
+/* The bytes of a block, two to a word, with a carry in bits 8 and 24 where the pixel is not below the limit. */
+static void mark_block(iris_block8 *block, uint32_t even0, uint32_t odd0, uint32_t even1, uint32_t odd1)
 {
-    uint32_t at_least = (x | HIGH) - (limits & ~HIGH);
-    return ~(limits & HIGH ? x & at_least : x | at_least) & HIGH;
-}
-
-/* Bits 7, 15, 23, and 31 of marks as bits 0 to 3. The products of the four shifts do not meet. */
-static inline uint32_t gather_bits(uint32_t marks)
-{
-    return (marks >> 7) * 0x01020408u >> 24 & 15u;
+    uint32_t bits = (even0 & CARRY) >> 8 | (odd0 & CARRY) >> 7 | (even1 & CARRY) >> 4 | (odd1 & CARRY) >> 3;
+    block->below = (uint8_t) ~((bits & 0x33u) | (bits >> 14 & 0xccu));
 }
 
 static inline void scan_block(iris_block8 *block, uint32_t x0, uint32_t x1)
 {
-    uint32_t limits = block->limit * 0x01010101u;
-    uint32_t pairs = (x0 & EVEN) + (x1 & EVEN) + (x0 >> 8 & EVEN) + (x1 >> 8 & EVEN);
-    uint32_t marks0 = below_bytes(x0, limits), marks1 = below_bytes(x1, limits);
+    uint32_t above = CARRY - (block->limit | (uint32_t)block->limit << 16);
+    uint32_t even0 = x0 & EVEN, odd0 = x0 >> 8 & EVEN;
+    uint32_t even1 = x1 & EVEN, odd1 = x1 >> 8 & EVEN;
+    uint32_t pairs = even0 + odd0 + even1 + odd1;
     block->sum = (uint16_t)(pairs + (pairs >> 16));
-    block->below = (uint8_t)((marks0 | marks1) == 0 ? 0 : gather_bits(marks0) | gather_bits(marks1) << 4);
+    even0 += above;
+    odd0 += above;
+    even1 += above;
+    odd1 += above;
+    block->below = 0;
+    if (__builtin_expect((even0 & odd0 & even1 & odd1 & CARRY) != CARRY, 0)) {
+        mark_block(block, even0, odd0, even1, odd1);
+    }
 }
 
 void iris_row_scan8_u8_c(iris_block8 *block, const uint8_t *src, int32_t n)

@@ -8,7 +8,8 @@
  * Levels have 8 fraction bits. For bright lines everything is turned upside down: 0 is white. */
 #include "follow_parts.h"
 
-enum { UP = 2, DOWN = 5, BESIDE = 3, GIVE_IN = 6 }; /* each row, 1 / 2^n of the difference */
+/* Every second row, 1 / 2^n of the difference. */
+enum { UP = 1, DOWN = 4, BESIDE = 2, GIVE_IN = 5 };
 
 /* Line pixels are below this. The absolute margin keeps noise out of dark scenes. */
 static inline int32_t limit_of(int32_t floor, int32_t contrast_q10)
@@ -147,5 +148,7 @@ void iris_follow_mark_floor(iris_follow *follow, const uint8_t *gray)
         first_floor(follow, blocks);
         scan(follow, gray, blocks);
     }
-    learn(follow, blocks);
+    if (follow->y % 2 == 0) {
+        learn(follow, blocks);
+    }
 }

@@ -39,30 +39,31 @@ static void keep(iris_follow *follow, iris_span *runs, int32_t *count, int32_t l
 /* The runs of line bits, gaps of up to max_gap columns closed. Returns how many were kept. */
 static int32_t find_runs(iris_follow *follow, iris_span *runs)
 {
-    int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
+    const iris_block8 *block = follow->blocks, *end = block + IRIS_FOLLOW_BLOCKS(follow->size.w);
     int32_t count = 0, left = -1, right = -1;
-    for (int32_t b = 0; b < blocks; b++) {
-        uint32_t bits = follow->blocks[b].below;
-        int32_t x = 8 * b;
-        while (bits != 0) {
-            while (!(bits & 1u)) {
-                bits >>= 1;
-                x++;
+    for (;; block++) {
+        while (block < end && block->below == 0) {
+            block++;
+        }
+        if (block == end) {
+            break;
+        }
+        int32_t x = (int32_t)(block - follow->blocks) * 8;
+        uint32_t bits = block->below;
+        if (bits == 0xff && left >= 0 && right == x - 1) {
+            right = x + 7;
+            continue;
+        }
+        for (; bits != 0; bits >>= 1, x++) {
+            if (!(bits & 1u)) {
+                continue;
             }
             if (left >= 0 && x - right - 1 > follow->max_gap) {
                 keep(follow, runs, &count, left, right);
                 left = -1;
             }
             left = left < 0 ? x : left;
-            if (bits == 0xff) {
-                bits = 0;
-                x += 8;
-            }
-            while (bits & 1u) {
-                bits >>= 1;
-                x++;
-            }
-            right = x - 1;
+            right = x;
         }
     }
     if (left >= 0) {
