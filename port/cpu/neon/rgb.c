@@ -1,0 +1,53 @@
+/* Gray from three channels, and their exchange. */
+#include "bits.h"
+
+static inline uint8x8_t luma_of_8(uint8x8_t red, uint8x8_t green, uint8x8_t blue)
+{
+    uint16x8_t sum = vmull_u8(green, vdup_n_u8(150));
+    sum = vmlal_u8(sum, red, vdup_n_u8(77));
+    sum = vmlal_u8(sum, blue, vdup_n_u8(29));
+    return vrshrn_n_u16(sum, 8);
+}
+
+/* n >= 16. The last 16 pixels may overlap those before them: dst and src are disjoint. */
+static inline void luma_row(uint8_t *dst, const uint8_t *src, int32_t n, int red)
+{
+    for (int32_t x = 0; x < n; x += 16) {
+        x = x > n - 16 ? n - 16 : x;
+        uint8x16x3_t pixels = vld3q_u8(src + 3 * x);
+        uint8x16_t r = pixels.val[red], g = pixels.val[1], b = pixels.val[2 - red];
+        uint8x8_t low = luma_of_8(vget_low_u8(r), vget_low_u8(g), vget_low_u8(b));
+        uint8x8_t high = luma_of_8(vget_high_u8(r), vget_high_u8(g), vget_high_u8(b));
+        vst1q_u8(dst + x, vcombine_u8(low, high));
+    }
+}
+
+void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    if (n < 16) {
+        iris_row_luma_rgb888_c(dst, src, n);
+        return;
+    }
+    luma_row(dst, src, n, 0);
+}
+
+void iris_row_luma_bgr888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    if (n < 16) {
+        iris_row_luma_bgr888_c(dst, src, n);
+        return;
+    }
+    luma_row(dst, src, n, 2);
+}
+
+void iris_row_swap_888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (; n >= 16; n -= 16, src += 48, dst += 48) {
+        uint8x16x3_t pixels = vld3q_u8(src);
+        uint8x16_t first = pixels.val[0];
+        pixels.val[0] = pixels.val[2];
+        pixels.val[2] = first;
+        vst3q_u8(dst, pixels);
+    }
+    iris_row_swap_888_c(dst, src, n);
+}

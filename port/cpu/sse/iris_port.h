@@ -1,0 +1,35 @@
+/* The SSE port: x86-64-v2, which has SSSE3 and SSE4.1. Included by kernel.h only. */
+#ifndef IRIS_PORT_H
+#define IRIS_PORT_H
+
+#include <stdint.h>
+
+#define IRIS_PORT_NAME      "sse"
+#define IRIS_PORT_OVERRIDES 8
+
+void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
+#define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
+
+void iris_row_luma_bgr888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
+#define iris_row_luma_bgr888 iris_row_luma_bgr888_sse
+
+void iris_row_swap_888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
+#define iris_row_swap_888 iris_row_swap_888_sse
+
+void iris_row_above_u8_sse(uint32_t *mask, const uint8_t *src, uint8_t limit, int32_t n);
+#define iris_row_above_u8 iris_row_above_u8_sse
+
+void iris_row_scan8_u8_sse(iris_block8 *block, const uint8_t *src, int32_t n);
+#define iris_row_scan8_u8 iris_row_scan8_u8_sse
+
+void iris_row_slide_u32_sse(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
+#define iris_row_slide_u32 iris_row_slide_u32_sse
+
+void iris_row_above_mean_u8_sse(uint32_t *mask, const uint8_t *src, const uint32_t *sums,
+                                iris_row_window window, int32_t n);
+#define iris_row_above_mean_u8 iris_row_above_mean_u8_sse
+
+void iris_row_hsl_range_sse(uint32_t *mask, const uint8_t *rgb, const iris_hsl_range_test *test, int32_t n);
+#define iris_row_hsl_range iris_row_hsl_range_sse
+
+#endif
