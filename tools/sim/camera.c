@@ -17,6 +17,17 @@ static sim_ground to_ground(const sim_camera *camera, double x, double y)
     return (sim_ground){(float)(camera->forward_cm + depth * reach), (float)(-depth * right)};
 }
 
+void sim_camera_aim(sim_camera *camera)
+{
+    for (int y = 0; y < SIM_H; y++) {
+        for (int x = 0; x < SIM_W; x++) {
+            camera->ground[2 * y][x] = to_ground(camera, x, y - 0.25);
+            camera->ground[2 * y + 1][x] = to_ground(camera, x, y + 0.25);
+        }
+        camera->blur[y] = camera->ground[2 * y][0].left - camera->ground[2 * y][1].left;
+    }
+}
+
 void sim_camera_init(sim_camera *camera, uint32_t seed)
 {
     camera->height_cm = 18;
@@ -26,18 +37,12 @@ void sim_camera_init(sim_camera *camera, uint32_t seed)
     camera->noise = 8;
     camera->blank = 0;
     sim_random_seed(&camera->random, seed + 77);
-    for (int y = 0; y < SIM_H; y++) {
-        for (int x = 0; x < SIM_W; x++) {
-            camera->ground[2 * y][x] = to_ground(camera, x, y - 0.25);
-            camera->ground[2 * y + 1][x] = to_ground(camera, x, y + 0.25);
-        }
-        camera->blur[y] = camera->ground[2 * y][0].left - camera->ground[2 * y][1].left;
-    }
     for (int i = 0; i < 4096; i++) { /* Box-Muller */
         double u = (sim_random_next(&camera->random) + 1.0) / 4294967297.0;
         double v = sim_random_next(&camera->random) / 4294967296.0;
         camera->gauss[i] = (float)(sqrt(-2 * log(u)) * cos(2 * PI * v));
     }
+    sim_camera_aim(camera);
 }
 
 static sim_pose place(sim_pose robot, sim_ground ground)

@@ -30,6 +30,9 @@ typedef struct {
 /* The demo's camera: 18 cm above the floor, 5 cm ahead of the axle, 42 degrees down, 62 degrees wide. */
 void sim_camera_init(sim_camera *camera, uint32_t seed);
 
+/* Takes over another height, position, pitch, or field of view. */
+void sim_camera_aim(sim_camera *camera);
+
 /* Renders what the camera sees from the robot's pose, row by row, top first. */
 void sim_camera_render(uint8_t *gray, sim_camera *camera, const sim_floor *floor, sim_pose robot);
 

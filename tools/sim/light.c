@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double CELL = 0.4;     /* cm of the maps */
+static const double CELL = 0.4;     /* cm of the map */
 static const double MARGIN = 90;    /* cm around the course that a camera may still see */
 static const double FLOOR = 215;    /* gray of the floor in full light */
 static const double TAPE = 38;      /* of the tape */
@@ -51,37 +51,6 @@ static double patches(double x, double y, double size, uint32_t seed)
     return low * (1 - b) + high * b;
 }
 
-int sim_floor_make(sim_floor *floor, const sim_track *track, uint32_t seed)
-{
-    floor->track = track;
-    floor->w = (int)((track->right - track->left + 2 * MARGIN) / CELL) + 2;
-    floor->h = (int)((track->top - track->bottom + 2 * MARGIN) / CELL) + 2;
-    size_t cells = (size_t)floor->w * (size_t)floor->h;
-    floor->distance = malloc(cells * sizeof(float));
-    floor->texture = malloc(cells * sizeof(float));
-    if (!floor->distance || !floor->texture) {
-        sim_floor_free(floor);
-        return 0;
-    }
-    for (int j = 0; j < floor->h; j++) {
-        for (int i = 0; i < floor->w; i++) {
-            double x = track->left - MARGIN + i * CELL, y = track->bottom - MARGIN + j * CELL;
-            size_t at = (size_t)j * (size_t)floor->w + (size_t)i;
-            floor->distance[at] = (float)sim_track_tape(track, x, y);
-            floor->texture[at] = (float)(0.45 * patches(x, y, 9, seed) + 0.3 * patches(x, y, 2.2, seed + 1) +
-                                         0.25 * lattice(i, j, seed + 2));
-        }
-    }
-    return 1;
-}
-
-void sim_floor_free(sim_floor *floor)
-{
-    free(floor->distance);
-    free(floor->texture);
-    floor->distance = floor->texture = NULL;
-}
-
 double sim_light(const sim_track *track, double x, double y)
 {
     double across = (x - track->left) / (track->right - track->left);
@@ -98,20 +67,58 @@ double sim_glare(const sim_track *track, double x, double y)
     return out <= 0 ? 1 : exp(-out * out / 8);
 }
 
-double sim_floor_gray(const sim_floor *floor, double x, double y, double blur)
+static sim_cell make_cell(const sim_track *track, double x, double y, uint32_t seed)
 {
-    const sim_track *track = floor->track;
-    double u = (x - track->left + MARGIN) / CELL, v = (y - track->bottom + MARGIN) / CELL;
-    u = u < 0 ? 0 : u > floor->w - 2 ? floor->w - 2 : u;
-    v = v < 0 ? 0 : v > floor->h - 2 ? floor->h - 2 : v;
+    int i = (int)floor(x / CELL), j = (int)floor(y / CELL);
+    double texture =
+        0.45 * patches(x, y, 9, seed) + 0.3 * patches(x, y, 2.2, seed + 1) + 0.25 * lattice(i, j, seed + 2);
+    double light = sim_light(track, x, y), glare = SATURATE * sim_glare(track, x, y);
+    return (sim_cell){(float)sim_track_tape(track, x, y), (float)((FLOOR + GRAIN * texture) * light + glare),
+                      (float)((TAPE + GRAIN / 4 * texture) * light + glare)};
+}
+
+int sim_floor_make(sim_floor *map, const sim_track *track, uint32_t seed)
+{
+    map->track = track;
+    map->w = (int)((track->right - track->left + 2 * MARGIN) / CELL) + 2;
+    map->h = (int)((track->top - track->bottom + 2 * MARGIN) / CELL) + 2;
+    map->cell = malloc((size_t)map->w * (size_t)map->h * sizeof *map->cell);
+    if (!map->cell) {
+        return 0;
+    }
+    for (int j = 0; j < map->h; j++) {
+        for (int i = 0; i < map->w; i++) {
+            double x = track->left - MARGIN + i * CELL, y = track->bottom - MARGIN + j * CELL;
+            map->cell[(size_t)j * (size_t)map->w + (size_t)i] = make_cell(track, x, y, seed);
+        }
+    }
+    return 1;
+}
+
+void sim_floor_free(sim_floor *map)
+{
+    free(map->cell);
+    map->cell = NULL;
+}
+
+static float between(float low, float high, float share)
+{
+    return low + (high - low) * share;
+}
+
+double sim_floor_gray(const sim_floor *map, double x, double y, double blur)
+{
+    double u = (x - map->track->left + MARGIN) / CELL, v = (y - map->track->bottom + MARGIN) / CELL;
+    u = u < 0 ? 0 : u > map->w - 2 ? map->w - 2 : u;
+    v = v < 0 ? 0 : v > map->h - 2 ? map->h - 2 : v;
     int i = (int)u, j = (int)v;
-    double a = u - i, b = v - j;
-    size_t at = (size_t)j * (size_t)floor->w + (size_t)i, next = at + (size_t)floor->w;
-    const float *d = floor->distance, *t = floor->texture;
-    double distance = (d[at] * (1 - a) + d[at + 1] * a) * (1 - b) + (d[next] * (1 - a) + d[next + 1] * a) * b;
-    double texture = (t[at] * (1 - a) + t[at + 1] * a) * (1 - b) + (t[next] * (1 - a) + t[next + 1] * a) * b;
-    double taped = 0.5 - distance / blur;
-    taped = taped < 0 ? 0 : taped > 1 ? 1 : taped;
-    double gray = (FLOOR + GRAIN * texture) * (1 - taped) + (TAPE + 0.25 * GRAIN * texture) * taped;
-    return gray * sim_light(track, x, y) + SATURATE * sim_glare(track, x, y);
+    float a = (float)(u - i), b = (float)(v - j);
+    const sim_cell *low = map->cell + (size_t)j * (size_t)map->w + (size_t)i, *high = low + map->w;
+    float distance = between(between(low[0].distance, low[1].distance, a),
+                             between(high[0].distance, high[1].distance, a), b);
+    float bare = between(between(low[0].bare, low[1].bare, a), between(high[0].bare, high[1].bare, a), b);
+    float taped =
+        between(between(low[0].taped, low[1].taped, a), between(high[0].taped, high[1].taped, a), b);
+    float share = 0.5f - distance / (float)blur;
+    return between(bare, taped, share < 0 ? 0 : share > 1 ? 1 : share);
 }

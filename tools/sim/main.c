@@ -1,48 +1,177 @@
-/* iris-demo: a simulated robot drives around a taped track by its camera alone. */
+/* iris-demo: a simulated robot drives around a taped course, steered by IRIS from its camera's pictures alone. */
+#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "frames.h"
+#include "picture.h"
 
 static const char HELP[] =
-    "usage: iris-demo --frames DIR [--seed N]\n"
-    "  --frames DIR  write 120 camera frames and their truth to the existing folder DIR\n"
-    "  --seed N      another floor and other noise (default 1)\n";
+    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--frames DIR]\n"
+    "\n"
+    "Drives a simulated robot around a taped course by its camera alone, and writes pictures of the drive.\n"
+    "Exit code 0 when all laps are done and the robot was never off the line by half its width, else 1.\n"
+    "\n"
+    "  --laps N      laps to drive, 1 to 20 (default 2)\n"
+    "  --out DIR     where the pictures go (default build/demo)\n"
+    "  --seed N      another floor and other noise (default 1)\n"
+    "  --quick       one lap, no pictures\n"
+    "  --blank       cover the lens: the robot must not find its way\n"
+    "  --frames DIR  no drive: write 120 camera frames along the course, and where the tape is in them\n"
+    "\n"
+    "example: iris-demo --laps 3 --seed 7 --out /tmp/drive\n";
+
+typedef struct {
+    int laps, quick, blank;
+    uint32_t seed;
+    const char *out, *frames;
+} options;
+
+static int whole_number(long *number, const char *text, long low, long high)
+{
+    char *end;
+    errno = 0;
+    *number = strtol(text, &end, 10);
+    return errno == 0 && end != text && *end == 0 && *number >= low && *number <= high;
+}
+
+/* -1: go on; else the exit code. */
+static int read_options(options *o, int argc, char **argv)
+{
+    long number = 0;
+    for (int i = 1; i < argc; i++) {
+        const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : "";
+        if (strcmp(name, "--help") == 0) {
+            fputs(HELP, stdout);
+            return 0;
+        } else if (strcmp(name, "--quick") == 0) {
+            o->quick = 1;
+        } else if (strcmp(name, "--blank") == 0) {
+            o->blank = 1;
+        } else if (strcmp(name, "--laps") == 0 && whole_number(&number, value, 1, 20)) {
+            o->laps = (int)number;
+            i++;
+        } else if (strcmp(name, "--seed") == 0 && whole_number(&number, value, 0, 1000000)) {
+            o->seed = (uint32_t)number;
+            i++;
+        } else if (strcmp(name, "--out") == 0 && *value) {
+            o->out = argv[++i];
+        } else if (strcmp(name, "--frames") == 0 && *value) {
+            o->frames = argv[++i];
+        } else {
+            fprintf(stderr, "iris-demo: bad option or value: %s %s (--help tells more)\n", name, value);
+            return 2;
+        }
+    }
+    return -1;
+}
+
+/* Makes the folder and the ones above it. 0 when it cannot. */
+static int make_folder(const char *folder)
+{
+    char path[400];
+    size_t length = strlen(folder);
+    if (length >= sizeof path) {
+        return 0;
+    }
+    for (size_t i = 1; i <= length; i++) {
+        if (folder[i] == '/' || folder[i] == 0) {
+            memcpy(path, folder, i);
+            path[i] = 0;
+            if (mkdir(path, 0777) != 0 && errno != EEXIST) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+static void print_course(const sim_track *track, const sim_robot *robot, const sim_camera *camera)
+{
+    printf("course    %.2f m of %.0f cm tape: radius 25 cm at the tightest, one square corner, 5 cm gap, 8 "
+           "cm glare,\n"
+           "          light 4:1, noise sigma %.0f\n",
+           track->length / 100, track->tape, camera->noise);
+    printf("robot     %.0f cm wide, two driven wheels, reference point: the middle of the axle\n",
+           robot->width_cm);
+    printf("camera    %dx%d gray, 30 frames/s, %.0f cm high, %.0f degrees down, one frame of latency\n",
+           SIM_W, SIM_H, camera->height_cm, camera->pitch_deg);
+}
+
+/* Prints what came of it; 1 when the drive is good. */
+static int judge(const sim_record *record, int laps, double allowed)
+{
+    int good = !record->end && record->laps >= laps && record->largest_cm < allowed;
+    printf("laps      %.2f of %d in %.1f s, on average %.0f cm/s\n", record->laps, laps, record->seconds,
+           record->seconds > 0 ? record->laps * record->length / record->seconds : 0);
+    printf("error     rms %.2f cm, largest %.2f cm (%.0f cm into the lap), allowed %.1f cm: half the robot\n",
+           sqrt(record->mean_square), record->largest_cm, record->largest_at, allowed);
+    printf("frames    %d found, %d stale, %d lost\n", record->count[IRIS_LINE_FOUND],
+           record->count[IRIS_LINE_STALE], record->count[IRIS_LINE_LOST]);
+    printf("library   %.0f frames/s on this machine: follow, steer, sentence out and in\n",
+           record->vision_seconds > 0 ? record->frames / record->vision_seconds : 0);
+    return good;
+}
+
+static int drive(const options *o, const sim_floor *floor, sim_camera *camera)
+{
+    static sim_record record;
+    sim_robot robot;
+    sim_robot_init(&robot, sim_track_at(floor->track, 0));
+    const sim_robot start = robot;
+    const sim_plan plan = {.laps = o->quick ? 1 : o->laps, .frames_per_second = 30};
+    camera->blank = o->blank;
+    if (!o->quick && !make_folder(o->out)) {
+        fprintf(stderr, "iris-demo: %s: cannot make this folder\n", o->out);
+        return 1;
+    }
+    print_course(floor->track, &robot, camera);
+    if (o->blank) {
+        printf("          the lens is covered: this must fail\n");
+    }
+    sim_drive(&record, &plan, camera, floor, &robot);
+    int good = judge(&record, plan.laps, robot.width_cm / 2);
+    if (!o->quick &&
+        (!sim_map_save(o->out, &record, floor, camera, &start) || !sim_overlay_save(o->out, &record))) {
+        fprintf(stderr, "iris-demo: %s: cannot write the pictures\n", o->out);
+        return 1;
+    }
+    if (!o->quick) {
+        printf("pictures  %s/track.bmp (from above), frames.bmp (what the camera saw), frame-1.bmp ...\n",
+               o->out);
+    }
+    const char *why = record.end ? record.end : "the robot was too far off the line";
+    printf("%s%s\n", good ? "PASSED" : "FAILED: ", good ? "" : why);
+    return good ? 0 : 1;
+}
 
 int main(int argc, char **argv)
 {
     static sim_track track;
     static sim_camera camera;
-    static sim_floor floor;
-    const char *frames = NULL;
-    uint32_t seed = 1;
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--frames") == 0 && i + 1 < argc) {
-            frames = argv[++i];
-        } else if (strcmp(argv[i], "--seed") == 0 && i + 1 < argc) {
-            seed = (uint32_t)strtoul(argv[++i], NULL, 10);
-        } else {
-            fputs(HELP, strcmp(argv[i], "--help") == 0 ? stdout : stderr);
-            return strcmp(argv[i], "--help") == 0 ? 0 : 2;
-        }
-    }
-    if (!frames) {
-        fputs(HELP, stderr);
-        return 2;
+    sim_floor floor;
+    options o = {.laps = 2, .seed = 1, .out = "build/demo"};
+    int code = read_options(&o, argc, argv);
+    if (code >= 0) {
+        return code;
     }
     sim_track_build(&track);
-    if (!sim_floor_make(&floor, &track, seed)) {
+    sim_camera_init(&camera, o.seed);
+    if (!sim_floor_make(&floor, &track, o.seed)) {
         fprintf(stderr, "iris-demo: not enough memory\n");
         return 1;
     }
-    sim_camera_init(&camera, seed);
-    printf("course: %.1f cm, floor %.0f x %.0f cm\n", track.length, track.right - track.left,
-           track.top - track.bottom);
-    int good = sim_frames_write(frames, 120, &camera, &floor);
-    sim_floor_free(&floor);
-    if (!good) {
-        fprintf(stderr, "iris-demo: %s: cannot write frames\n", frames);
+    if (!o.frames) {
+        code = drive(&o, &floor, &camera);
+    } else if (make_folder(o.frames) && sim_frames_write(o.frames, 120, &camera, &floor)) {
+        code = 0;
+    } else {
+        fprintf(stderr, "iris-demo: %s: cannot write the frames\n", o.frames);
+        code = 1;
     }
-    return good ? 0 : 1;
+    sim_floor_free(&floor);
+    return code;
 }

@@ -1,6 +1,7 @@
 #include "track.h"
 
 #include <math.h>
+#include <string.h>
 
 #define PI 3.14159265358979323846
 
@@ -80,6 +81,20 @@ static sim_pose lay(sim_track *track, const double fit[2])
     return pose;
 }
 
+/* The floor reaches 25 cm beyond the center line. */
+static void measure_floor(sim_track *track)
+{
+    track->left = track->bottom = 1e9;
+    track->right = track->top = -1e9;
+    for (double s = 0; s < track->length; s += 1) {
+        sim_pose at = sim_track_at(track, s);
+        track->left = fmin(track->left, at.x - 25);
+        track->right = fmax(track->right, at.x + 25);
+        track->bottom = fmin(track->bottom, at.y - 25);
+        track->top = fmax(track->top, at.y + 25);
+    }
+}
+
 void sim_track_build(sim_track *track)
 {
     track->tape = 3;
@@ -88,21 +103,19 @@ void sim_track_build(sim_track *track)
     fit[0] -= end.x; /* the first fitted straight runs east, the second south */
     fit[1] += end.y;
     lay(track, fit);
+    measure_floor(track);
     track->glare_s = 0.55 * fit[0];
     track->glare_length = 8;
-    track->left = track->bottom = 1e9;
-    track->right = track->top = -1e9;
-    for (double s = 0; s < track->length; s += 1) {
-        sim_pose p = sim_track_at(track, s);
-        track->left = fmin(track->left, p.x);
-        track->right = fmax(track->right, p.x);
-        track->bottom = fmin(track->bottom, p.y);
-        track->top = fmax(track->top, p.y);
-    }
-    track->left -= 25;
-    track->right += 25;
-    track->bottom -= 25;
-    track->top += 25;
+    const sim_piece *p = track->piece;
+    const sim_mark marks[SIM_MARKS] = {
+        {"glare, 8 cm", track->glare_s, -13, 17},
+        {"gap, 5 cm", p[3].s + p[3].length / 2, -30, -3},
+        {"hairpin, radius 25 cm", p[5].s + p[5].length / 2, -25, 11},
+        {"radius 30 cm", p[7].s + p[7].length / 2, -1, -7},
+        {"S, radius 45 cm", p[9].s, -36, -6},
+        {"90-degree corner", p[11].s, 7, -8},
+    };
+    memcpy(track->mark, marks, sizeof marks);
 }
 
 sim_pose sim_track_at(const sim_track *track, double s)

@@ -8,6 +8,7 @@
 #define SIM_TRACK_H
 
 #define SIM_PIECES_MAX 24
+#define SIM_MARKS      6
 
 typedef struct {
     double x, y, heading;
@@ -23,11 +24,19 @@ typedef struct {
     int taped; /* 0 in the gap */
 } sim_piece;
 
+/* A difficult place of the course. */
+typedef struct {
+    const char *name;
+    double s;                /* way along the course */
+    double label_x, label_y; /* cm from there to where the map writes its name */
+} sim_mark;
+
 typedef struct {
     sim_piece piece[SIM_PIECES_MAX];
     int count;
-    double length;       /* cm of the closed course */
-    double tape;         /* cm, width of the tape */
+    double length; /* cm of the closed course */
+    double tape;   /* cm, width of the tape */
+    sim_mark mark[SIM_MARKS];
     double glare_s;      /* where the glare's center is */
     double glare_length; /* cm of tape saturated over its full width */
     double left, right;  /* the floor: x from left to right, y from bottom to top */

@@ -1,0 +1,34 @@
+#!/bin/sh
+# demo.sh : the closed loop. The robot gets around by its camera, on other floors too, and does not without it.
+demo=${OUT:?set by make}/iris-demo
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+say() { # say CODE NAME; a failure shows what the demo said
+    [ "$1" -eq 0 ] && echo "ok - $2" && return
+    echo "not ok - $2"
+    sed 's/^/# /' "$root/log"
+}
+"$demo" --out "$root/pictures/new" > "$root/log" 2>&1 && grep -q '^PASSED' "$root/log"
+say $? "two laps within half the robot's width"
+[ "$(ls "$root/pictures/new" | tr '\n' ' ')" = \
+    "frame-1.bmp frame-2.bmp frame-3.bmp frame-4.bmp frame-5.bmp frame-6.bmp frames.bmp track.bmp " ]
+say $? "the pictures are there"
+for seed in 2 3 4; do
+    "$demo" --quick --seed $seed > "$root/log" 2>&1
+    say $? "one lap on floor $seed"
+done
+grep -v '^library' "$root/log" > "$root/first"
+"$demo" --quick --seed 4 2>&1 | grep -v '^library' > "$root/log"
+cmp -s "$root/first" "$root/log"
+say $? "the same drive again, to the last digit"
+"$demo" --quick --blank > "$root/log" 2>&1
+[ $? -eq 1 ] && grep -q '^laps      0.00' "$root/log" && grep -q '^FAILED' "$root/log"
+say $? "with a covered lens it fails, and stays where it is"
+"$demo" --quick --out "$root/first/x" > "$root/log" 2>&1
+say $? "--quick writes no pictures"
+"$demo" --out "$root/first/x" > "$root/log" 2>&1
+[ $? -eq 1 ] && grep -q 'cannot make' "$root/log"
+say $? "a folder that cannot be made is an error"
+"$demo" --laps 0 > "$root/log" 2>&1
+[ $? -eq 2 ]
+say $? "a bad option is exit code 2"
