@@ -169,8 +169,8 @@ iris_status iris_follow_end(iris_follow_result *result, iris_follow *follow, uin
     *result = lost;
     int32_t line = iris_follow_choose(follow);
     int32_t other = line >= 0 && follow->config.lane ? iris_follow_choose(follow) : -1;
-    if (line >= 0 && (other >= 0 || !follow->config.lane)) {
-        iris_follow_describe(result, follow, line, other);
+    if (line >= 0 && (other >= 0 || !follow->config.lane) &&
+        iris_follow_describe(result, follow, line, other)) {
         result->state = IRIS_LINE_FOUND;
         follow->last = *result;
         follow->seen = 1;

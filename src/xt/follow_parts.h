@@ -31,7 +31,8 @@ void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
  * used: the farthest chain, then .next towards the robot. Returns the farthest chain's number, or -1 when no line is left. */
 int32_t iris_follow_choose(iris_follow *follow);
 
-/* follow_shape.c: from the chosen chains to the result: one line, or (other >= 0) the lane between two. */
-void iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other);
+/* follow_shape.c: from the chosen chains to the result: one line, or (other >= 0) the lane between two. Returns 0 when two
+ * lines have no row between them. */
+int iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other);
 
 #endif

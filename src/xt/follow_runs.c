@@ -54,16 +54,19 @@ static int32_t find_runs(iris_follow *follow, iris_span *runs)
             right = x + 7;
             continue;
         }
-        for (; bits != 0; bits >>= 1, x++) {
-            if (!(bits & 1u)) {
-                continue;
+        while (bits != 0) {
+            for (; !(bits & 1u); bits >>= 1) {
+                x++;
             }
             if (left >= 0 && x - right - 1 > follow->max_gap) {
                 keep(follow, runs, &count, left, right);
                 left = -1;
             }
             left = left < 0 ? x : left;
-            right = x;
+            for (; bits & 1u; bits >>= 1) {
+                x++;
+            }
+            right = x - 1;
         }
     }
     if (left >= 0) {

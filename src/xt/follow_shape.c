@@ -95,6 +95,7 @@ static void gather_spans(shape *s, int32_t line, int32_t other)
         s->right_end = nearest_chain(s->follow, other);
     }
     s->top = s->follow->size.h;
+    s->bottom = -1;
     for (int32_t y = 0; y < s->follow->size.h; y++) {
         iris_span span = run_of(s->follow, y, &line);
         if (s->is_lane) {
@@ -277,16 +278,26 @@ static int is_level(const iris_line *line)
     return line->angle > STEEP || line->angle < -STEEP;
 }
 
-/* Twice the distance, in pixels, of row y's center from the chord between rows y0 and y1. */
-static int32_t off_chord(const shape *s, int32_t y, int32_t y0, int32_t y1)
+/* The row between y0 and y1 (y0 > y1) whose center is farthest from their chord, at least `margin` rows from either; -1 when
+ * none is farther than *most, which is twice the distance in pixels and becomes that row's. */
+static int32_t farthest_row(const shape *s, int32_t y0, int32_t y1, int32_t margin, int32_t *most)
 {
-    int32_t chord = s->twice_x[y0] + (s->twice_x[y1] - s->twice_x[y0]) * (y - y0) / (y1 - y0);
-    int32_t off = s->twice_x[y] - chord;
-    return off < 0 ? -off : off;
+    int32_t at = -1;
+    int32_t chord_q12 = s->twice_x[y0] * 4096;
+    int32_t step_q12 = y0 > y1 ? (s->twice_x[y1] - s->twice_x[y0]) * 4096 / (y0 - y1) : 0;
+    for (int32_t y = y0; y >= y1 + margin; y--, chord_q12 += step_q12) {
+        int32_t off = s->twice_x[y] - (chord_q12 >> 12);
+        off = off < 0 ? -off : off;
+        if (off > *most && s->twice_x[y] != NONE && y <= y0 - margin) {
+            at = y;
+            *most = off;
+        }
+    }
+    return at;
 }
 
-/* Splits rows bottom to upright_top into straight pieces: the piece that bends most is split where it bends
- * most. breaks[0] is the bottom, breaks[count] the top. Returns the count. */
+/* Splits rows bottom to upright_top into straight pieces: the piece that bends most is split where it bends most.
+ * breaks[0] is the bottom, breaks[count] the top. Returns the count. */
 static int32_t split(const shape *s, int32_t *breaks)
 {
     int32_t count = 1;
@@ -300,13 +311,9 @@ static int32_t split(const shape *s, int32_t *breaks)
     while (count < IRIS_FOLLOW_SEGMENTS_MAX - 1) {
         int32_t at = -1, piece = 0, most = tolerance;
         for (int32_t k = 0; k < count; k++) {
-            for (int32_t y = breaks[k] - least_rows; y >= breaks[k + 1] + least_rows; y--) {
-                if (s->twice_x[y] != NONE && off_chord(s, y, breaks[k + 1], breaks[k]) > most) {
-                    at = y;
-                    piece = k;
-                    most = off_chord(s, y, breaks[k + 1], breaks[k]);
-                }
-            }
+            int32_t row = farthest_row(s, breaks[k], breaks[k + 1], least_rows, &most);
+            at = row >= 0 ? row : at;
+            piece = row >= 0 ? k : piece;
         }
         if (at < 0) {
             break;
@@ -505,17 +512,24 @@ static void describe_solid(iris_follow_result *result, shape *s)
     }
 }
 
-void iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other)
+int iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other)
 {
     shape s = {.follow = follow, .spans = follow->runs, .twice_x = (int16_t *)(void *)follow->owner};
     s.is_lane = other >= 0;
     s.bar_bottom = -1;
     gather_spans(&s, line, other);
+    if (s.top > s.bottom) {
+        return 0;
+    }
     s.upright_top = s.top;
     if (!s.is_lane && has_dashes(&s, line)) {
         describe_dashes(result, &s, line);
     } else {
         describe_solid(result, &s);
+    }
+    if (result->segment_count == 0) { /* a line without a direction, such as a single row */
+        int32_t x = (s.spans[s.bottom].left + s.spans[s.bottom].right) / 2;
+        add_segment(result, x, s.bottom, x, s.top);
     }
     int32_t ahead = (follow->size.h - 1) * follow->config.lookahead_permil / 1000;
     result->width_px = mean_width(&s, s.bottom, follow->size.h);
@@ -523,4 +537,5 @@ void iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32
     result->lookahead_offset_q16 = offset_at(result, &s, ahead);
     result->confidence_permil = confidence(&s);
     result->rows = s.spans;
+    return 1;
 }

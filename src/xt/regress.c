@@ -88,13 +88,24 @@ static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
     return across < 0 ? -across : across;
 }
 
+/* iris_moments_add for coordinates within +-32767, whose products fit in 32 bits. */
+static void add_near(iris_moments *moments, int32_t x, int32_t y)
+{
+    moments->n += 1;
+    moments->x += x;
+    moments->y += y;
+    moments->xx += x * x;
+    moments->xy += x * y;
+    moments->yy += y * y;
+}
+
 static iris_status fit_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t limit_q2)
 {
     iris_moments moments = {0};
     for (int32_t y = y0; y <= y1; y++) {
         if (twice_x[y] != IRIS_REGRESS_NONE &&
             (limit_q2 < 0 || distance_q2(line, twice_x[y], y) <= limit_q2)) {
-            iris_moments_add(&moments, twice_x[y], 2 * y);
+            add_near(&moments, twice_x[y], 2 * y);
         }
     }
     iris_line fitted;
@@ -109,7 +120,7 @@ static iris_status fit_rows(iris_line *line, const int16_t *twice_x, int32_t y0,
 
 iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t trims)
 {
-    if (!line || !twice_x || y0 < 0 || y0 > y1 || y1 >= IRIS_SIDE_MAX || trims < 0 || trims > 4) {
+    if (!line || !twice_x || y0 < 0 || y0 > y1 || y1 > IRIS_REGRESS_ROW_MAX || trims < 0 || trims > 4) {
         return IRIS_ERR_ARG;
     }
     iris_line fitted = {0};

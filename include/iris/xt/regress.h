@@ -48,7 +48,8 @@ iris_status iris_regress_mask(iris_line *line, const iris_image *mask);
  * rounds (0..4), points farther away than 2.5 times the mean distance (and than one pixel) are left out and
  * the line is fitted again: a few strangers do not bend it. Errors as iris_regress_moments; IRIS_ERR_ARG also
  * for y0 > y1, y0 < 0, or trims out of range. O(trims * rows). */
-#define IRIS_REGRESS_NONE INT16_MIN
+#define IRIS_REGRESS_NONE    INT16_MIN
+#define IRIS_REGRESS_ROW_MAX 16383
 iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t trims);
 
 #ifdef __cplusplus
