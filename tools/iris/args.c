@@ -75,12 +75,12 @@ int args_parse(arguments *args, int argc, char **argv)
             fputs(args->help, stdout);
             return EXIT_DONE;
         } else {
-            const char *next = i + 1 < argc ? argv[i + 1] : NULL;
-            int had_next = next != NULL;
+            int has_next = i + 1 < argc;
+            const char *next = has_next ? argv[i + 1] : NULL;
             if (!take_option(args, word, &next)) {
                 return EXIT_BAD_CALL;
             }
-            i += had_next && !next;
+            i += has_next && !next;
         }
     }
     return ARGS_GO;
