@@ -55,7 +55,7 @@ typedef struct {
     int32_t x0, y0, x1, y1;
 } iris_hough_ends;
 
-/* No pixel of a w x h image is farther from its middle (pixels, rounded up; at the most 5 % more than half
+/* No pixel of a w x h image is farther from its middle (pixels, rounded up; at the most 8 % more than half
  * the diagonal). */
 #define IRIS_HOUGH_REACH(w, h)                                                                               \
     (((w) > (h) ? (size_t)12 * (size_t)(w) + (size_t)5 * (size_t)(h)                                         \
