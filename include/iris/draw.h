@@ -29,7 +29,7 @@ iris_status iris_draw_line(const iris_image *image, int32_t x0, int32_t y0, int3
                            iris_color color);
 
 /* The outermost pixels of `rect`, or all of its pixels. An empty rectangle (w or h below 1) draws nothing.
- * O(pixels drawn inside the image). */
+ * O(image side), filled O(image side + pixels drawn). */
 iris_status iris_draw_rect(const iris_image *image, iris_rect rect, iris_color color);
 iris_status iris_draw_rect_filled(const iris_image *image, iris_rect rect, iris_color color);
 
@@ -43,8 +43,8 @@ iris_status iris_draw_cross(const iris_image *image, int32_t x, int32_t y, int32
 
 /* Text in glyphs of 5x7 pixels, each pixel a square of `scale` pixels. (x, y) is the top left pixel of the
  * first glyph. Printable ASCII; '\n' begins a new line below the first; any other byte is drawn as a box. The
- * background is not touched (iris_draw_text_size tells what to fill). IRIS_ERR_RANGE: scale
- * outside 1..IRIS_TEXT_SCALE_MAX. O(length + pixels drawn inside the image). */
+ * background is not touched (iris_draw_text_size tells what to fill).
+ * IRIS_ERR_RANGE: scale outside 1..IRIS_TEXT_SCALE_MAX. O(length + pixels drawn inside the image). */
 iris_status iris_draw_text(const iris_image *image, int32_t x, int32_t y, const char *text, int32_t scale,
                            iris_color color);
 

@@ -49,12 +49,14 @@ iris_status iris_otsu_value(uint8_t *value, const uint32_t histogram[256]);
 #define IRIS_THRESHOLD_SCRATCH_BYTES(w, radius)                                                              \
     IRIS_SCRATCH_ROUND(sizeof(uint32_t) * ((size_t)(w) + 2u * (size_t)(radius)))
 
-/* Adaptive: bright is p > mean - c, where mean is the exact mean of the (2 radius + 1)^2 pixels around p;
- * beyond the edge the nearest pixel counts (replicated border). A dark line is found with IRIS_SELECT_DARK
- * and c > 0, a bright one with IRIS_SELECT_BRIGHT and c < 0; |c| is the least difference from the floor, and
- * the line is narrower than the window. radius  pixels, 0 to IRIS_THRESHOLD_RADIUS_MAX c       gray levels,
- * -255 to 255 IRIS_ERR_RANGE: radius or c outside; IRIS_ERR_SCRATCH. O((w + radius) * (h + radius)): the
- * window's size costs nothing as long as it is smaller than the image. */
+/* Adaptive: bright is p > mean - c, where mean is the exact mean of the (2 radius + 1)^2 pixels around p; beyond
+ * the edge the nearest pixel counts (replicated border).
+ *
+ * radius is 0 to IRIS_THRESHOLD_RADIUS_MAX pixels, c is -255 to 255 gray levels. A dark line is found with
+ * IRIS_SELECT_DARK and c > 0, a bright one with IRIS_SELECT_BRIGHT and c < 0; |c| is the least difference from
+ * the mean, and a line wider than radius gets hollow.
+ *
+ * IRIS_ERR_RANGE: radius or c outside; IRIS_ERR_SCRATCH. O((w + radius) * (h + radius)). */
 iris_status iris_threshold_adaptive(const iris_image *mask, const iris_image *gray, int32_t radius, int32_t c,
                                     iris_select select, iris_scratch *scratch);
 
