@@ -23,7 +23,7 @@ typedef struct {
     __m128i no_wrap;    /* all ones: both bounds of the hue must hold; zero: one */
 } range_vectors;
 
-static inline __m128i select(__m128i condition, __m128i yes, __m128i no)
+static inline __m128i choose(__m128i condition, __m128i yes, __m128i no)
 {
     return _mm_blendv_epi8(no, yes, condition);
 }
@@ -116,15 +116,15 @@ static inline __m128i misses_hue(channels p, __m128i max, __m128i chroma, const 
 {
     __m128i red = _mm_cmpeq_epi8(max, p.r);
     __m128i green = _mm_andnot_si128(red, _mm_cmpeq_epi8(max, p.g));
-    __m128i plus = select(red, p.g, select(green, p.b, p.r));
-    __m128i minus = select(red, p.b, select(green, p.r, p.g));
+    __m128i plus = choose(red, p.g, choose(green, p.b, p.r));
+    __m128i minus = choose(red, p.b, choose(green, p.r, p.g));
     __m128i below_red = _mm_andnot_si128(_mm_cmpeq_epi8(_mm_max_epu8(plus, minus), plus), red);
     const hue_bound *h0 = &range->h0, *h1 = &range->h1;
-    __m128i first = select(red, h0->red, select(green, h0->green, h0->blue));
-    __m128i last = select(red, h1->red, select(green, h1->green, h1->blue));
+    __m128i first = choose(red, h0->red, choose(green, h0->green, h0->blue));
+    __m128i last = choose(red, h1->red, choose(green, h1->green, h1->blue));
     sums rest = sums_of(plus, minus, bytes_pair(60, -60));
-    __m128i before = greater(products_of(chroma, select(below_red, h0->below_red, first)), rest);
-    __m128i behind = greater(rest, products_of(chroma, select(below_red, h1->below_red, last)));
+    __m128i before = greater(products_of(chroma, choose(below_red, h0->below_red, first)), rest);
+    __m128i behind = greater(rest, products_of(chroma, choose(below_red, h1->below_red, last)));
     return _mm_or_si128(_mm_and_si128(before, behind),
                         _mm_and_si128(_mm_or_si128(before, behind), range->no_wrap));
 }
@@ -146,7 +146,7 @@ static inline __m128i misses_16(const uint8_t *rgb, const range_vectors *range)
     __m128i pale_or_vivid = _mm_or_si128(greater(constant(zero), sums_of(chroma, limit, range->s0)),
                                          greater(sums_of(chroma, limit, range->s1), constant(zero)));
     __m128i enough = _mm_cmpeq_epi8(_mm_max_epu8(chroma, range->chroma_min), chroma);
-    __m128i hue = select(_mm_cmpeq_epi8(chroma, zero), range->no_gray, misses_hue(p, max, chroma, range));
+    __m128i hue = choose(_mm_cmpeq_epi8(chroma, zero), range->no_gray, misses_hue(p, max, chroma, range));
     return _mm_or_si128(_mm_or_si128(dark_or_bright, pale_or_vivid),
                         _mm_or_si128(hue, _mm_xor_si128(enough, ones)));
 }
