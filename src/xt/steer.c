@@ -30,7 +30,7 @@ void iris_steer_defaults(iris_steer_config *config)
         *config = (iris_steer_config){
             .offset_gain_permil = 700,
             .angle_gain_permil = 300,
-            .lookahead_permil = 200,
+            .lookahead_permil = 150,
             .derivative_ms = 120,
             .filter_ms = 60,
             .bend_widths_permil = 1000,

@@ -47,7 +47,8 @@ static int read_options(options *o, int argc, char **argv)
         if (strcmp(name, "--help") == 0) {
             fputs(HELP, stdout);
             return 0;
-        } else if (strcmp(name, "--quick") == 0) {
+        }
+        if (strcmp(name, "--quick") == 0) {
             o->quick = 1;
         } else if (strcmp(name, "--blank") == 0) {
             o->blank = 1;

@@ -7,7 +7,8 @@
  *
  *     offset = bottom row's + share * (look-ahead row's - bottom row's)
  *     steer  = offset_gain * (offset + derivative_ms * rate) + angle_gain * angle       rate: low-passed d offset / dt
- *     speed  = cruise - (cruise - slow) * sharpness          sharpness: 0 straight .. 1 at curve_permil of full steer
+ *     speed  = cruise - (cruise - slow) * sharpness          sharpness: 1 at curve_permil, of the larger of the steering
+ *                                                            and angle_gain * the steepest angle in sight
  *
  * Bend ahead (result.has_next, beyond 30 degrees): the robot slows down, and turns as soon as the part of the line in front
  * of the bend is shorter than bend_widths line widths; from there the angle is that of the next part. The bend's side is
@@ -17,6 +18,9 @@
  * Not found: for hold_ms the last steering is kept, at slow speed (past a bend: full steer to its side); then the robot
  * searches, turning to the side where the line was last; at stop_ms it stops until the line is back. A robot that has
  * never seen a line stands still.
+ *
+ * The defaults drive the robot of tools/sim at 10 to 60 frames/s, with wheels 10 to 25 cm apart, half to twice its speed,
+ * and its camera 14 to 30 cm high. A larger look-ahead share cuts corners more and forgives more delay.
  */
 #ifndef IRIS_XT_STEER_H
 #define IRIS_XT_STEER_H
@@ -33,7 +37,7 @@ extern "C" {
 typedef struct {
     int32_t offset_gain_permil;  /* 0..10000: steer for an offset of 1 (half the image width); default 700 */
     int32_t angle_gain_permil;   /* 0..10000: steer for an angle of 90 degrees; default 300 */
-    int32_t lookahead_permil;    /* 0..1000: share of the look-ahead row in the offset; default 200 */
+    int32_t lookahead_permil;    /* 0..1000: share of the look-ahead row in the offset; default 150 */
     int32_t derivative_ms;       /* 0..1000: how far ahead in time the offset's change counts; default 120 */
     int32_t filter_ms;           /* 0..1000: time constant that smooths that change; default 60 */
     int32_t bend_widths_permil;  /* 0..20000: see above, in permil of the line's width; default 1000 */
