@@ -30,22 +30,6 @@ static int is_valid(const iris_follow_config *config)
            within(config->lookahead_permil, 0, 1000) && within(config->hold_ms, 0, 60000);
 }
 
-static int is_convertible(iris_format format)
-{
-    switch (format) {
-    case IRIS_GRAY8:
-    case IRIS_RGB888:
-    case IRIS_BGR888:
-    case IRIS_RGB565:
-    case IRIS_RGB565_SWAP:
-    case IRIS_YUYV:
-    case IRIS_UYVY:
-        return 1;
-    default:
-        return 0;
-    }
-}
-
 static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
 {
     size_t h = (size_t)follow->size.h, blocks = IRIS_FOLLOW_BLOCKS(follow->size.w);
@@ -55,43 +39,52 @@ static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
     follow->chains = iris_scratch_take(scratch, IRIS_FOLLOW_CHAINS * sizeof(iris_follow_chain));
     follow->floor = iris_scratch_take(scratch, blocks * 2);
     follow->blocks = iris_scratch_take(scratch, blocks * sizeof(iris_block8));
-    follow->mask = iris_scratch_take(scratch, ((size_t)follow->size.w + 31) / 32 * 4);
-    follow->row = iris_scratch_take(scratch, (size_t)follow->size.w * 3);
-    if (!follow->runs || !follow->owner || !follow->chains || !follow->floor || !follow->blocks ||
-        !follow->mask || !follow->row) {
+    if (!follow->runs || !follow->owner || !follow->chains || !follow->floor || !follow->blocks) {
         iris_scratch_release(scratch, mark);
         return IRIS_ERR_SCRATCH;
     }
     return IRIS_OK;
 }
 
-iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_follow_config *config,
-                             iris_scratch *scratch)
+iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                iris_scratch *scratch)
 {
-    iris_follow made = {.size = size, .y = -1};
-    if (!follow || !scratch) {
-        return IRIS_ERR_ARG;
-    }
-    iris_follow_defaults(&made.config);
-    made.config = config ? *config : made.config;
-    if (!is_valid(&made.config)) {
+    if (!is_valid(config)) {
         return IRIS_ERR_ARG;
     }
     if (!within(size.w, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX) || !within(size.h, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX)) {
         return IRIS_ERR_RANGE;
     }
-    if (made.config.kind == IRIS_FOLLOW_COLOR &&
-        iris_hsl_range_prepare(&made.color, &made.config.color) != IRIS_OK) {
+    follow->config = *config;
+    follow->size = size;
+    follow->y = -1;
+    int32_t least = size.w * config->min_width_permil / 1000;
+    follow->min_width = least < 2 ? 2 : least;
+    follow->max_gap = 1 + (size.w < size.h ? size.w : size.h) / 80;
+    follow->contrast_q10 = config->contrast_permil * 1024 / 1000;
+    return take_memory(follow, scratch);
+}
+
+static const uint8_t *mark_gray(iris_follow *follow, const void *pixels)
+{
+    iris_follow_mark(follow, pixels);
+    return pixels;
+}
+
+iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                             iris_scratch *scratch)
+{
+    if (!follow || !scratch) {
         return IRIS_ERR_ARG;
     }
-    if (!is_convertible(made.config.format)) {
+    iris_follow made = {.mark = mark_gray};
+    iris_follow_config used;
+    iris_follow_defaults(&used);
+    used = config ? *config : used;
+    if (used.kind == IRIS_FOLLOW_COLOR || used.format != IRIS_GRAY8) {
         return IRIS_ERR_FORMAT;
     }
-    int32_t least = size.w * made.config.min_width_permil / 1000;
-    made.min_width = least < 2 ? 2 : least;
-    made.max_gap = 1 + (size.w < size.h ? size.w : size.h) / 80;
-    made.contrast_q10 = made.config.contrast_permil * 1024 / 1000;
-    iris_status status = take_memory(&made, scratch);
+    iris_status status = iris_follow_prepare(&made, size, &used, scratch);
     if (status == IRIS_OK) {
         *follow = made;
     }
@@ -108,15 +101,6 @@ iris_status iris_follow_begin(iris_follow *follow)
     return IRIS_OK;
 }
 
-/* The row as GRAY8, or as RGB888 where color counts. */
-static iris_status to_row(iris_follow *follow, const void *pixels)
-{
-    iris_format format = follow->config.format;
-    return follow->config.kind == IRIS_FOLLOW_COLOR
-               ? iris_color_rgb_row(follow->row, pixels, format, follow->size.w)
-               : iris_color_gray_row(follow->row, pixels, format, IRIS_GRAY_LUMA, follow->size.w);
-}
-
 iris_status iris_follow_row(iris_follow *follow, const void *pixels)
 {
     if (!follow || !pixels) {
@@ -125,22 +109,8 @@ iris_status iris_follow_row(iris_follow *follow, const void *pixels)
     if (follow->y < 0 || follow->y >= follow->size.h) {
         return IRIS_ERR_RANGE;
     }
-    int by_color = follow->config.kind == IRIS_FOLLOW_COLOR;
-    const uint8_t *row = pixels;
-    if (follow->config.format != (by_color ? IRIS_RGB888 : IRIS_GRAY8)) {
-        iris_status status = to_row(follow, pixels);
-        if (status != IRIS_OK) {
-            return status;
-        }
-        row = follow->row;
-    }
-    if (by_color) {
-        iris_follow_mark_color(follow, row);
-        iris_follow_collect(follow, NULL);
-    } else {
-        iris_follow_mark_floor(follow, row);
-        iris_follow_collect(follow, row);
-    }
+    const uint8_t *gray = follow->mark(follow, pixels);
+    iris_follow_collect(follow, gray);
     follow->y++;
     return IRIS_OK;
 }

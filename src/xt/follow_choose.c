@@ -24,7 +24,7 @@ static int32_t length_of(const iris_follow_chain *chain)
 
 static int32_t contrast_permil(const iris_follow_chain *chain)
 {
-    return chain->range_sum > 0 ? (int32_t)((int64_t)chain->contrast_sum * 1000 / chain->range_sum) : 0;
+    return chain->range_sum > 0 ? chain->contrast_sum * 1000 / chain->range_sum : 0;
 }
 
 /* Columns between two runs, 0 when they overlap. */
@@ -33,23 +33,19 @@ static int32_t columns_between(iris_span a, iris_span b)
     return larger(0, larger(a.left - b.right, b.left - a.right));
 }
 
-static int32_t twice_center(iris_span span)
+static int32_t center(iris_span span)
 {
-    return span.left + span.right;
+    return (span.left + span.right) / 2;
 }
 
 /* Does the way over the gap lie within 60 degrees of the way that the nearer chain goes? */
 static int goes_on(const iris_follow_chain *near, const iris_follow_chain *far)
 {
-    int64_t near_x = twice_center(near->top) - twice_center(near->bottom),
-            near_y = 2 * (near->top_y - near->bottom_y);
-    int64_t gap_x = twice_center(far->bottom) - twice_center(near->top),
-            gap_y = 2 * (far->bottom_y - near->top_y);
-    int64_t dot = near_x * gap_x + near_y * gap_y;
-    int64_t near_length = larger((int32_t)(near_x < 0 ? -near_x : near_x), (int32_t)-near_y);
-    int64_t squares = (near_x * near_x + near_y * near_y) * 16 / (near_length * near_length + 1);
-    return dot > 0 && dot * 16 / (near_length + 1) * dot / (near_length + 1) * 4 >=
-                          squares * (gap_x * gap_x + gap_y * gap_y);
+    int32_t near_x = center(near->top) - center(near->bottom), near_y = near->top_y - near->bottom_y;
+    int32_t gap_x = center(far->bottom) - center(near->top), gap_y = far->bottom_y - near->top_y;
+    int32_t along = near_x * gap_x + near_y * gap_y;
+    int32_t across = near_x * gap_y - near_y * gap_x;
+    return (across < 0 ? -across : across) * 4 <= along * 7;
 }
 
 /* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the farther the
@@ -70,8 +66,8 @@ static int continues(const iris_follow *follow, const iris_follow_chain *near, c
 /* Longer, higher in contrast, and nearer to the robot is better. */
 static int32_t score_of(const iris_follow *follow, const iris_follow_chain *chain)
 {
-    return (int32_t)((int64_t)length_of(chain) * contrast_permil(chain) * (follow->size.h + chain->bottom_y) /
-                     follow->size.h);
+    int32_t score = length_of(chain) * contrast_permil(chain);
+    return score + score / follow->size.h * chain->bottom_y;
 }
 
 static int is_line_like(const iris_follow *follow, const iris_follow_chain *chain)

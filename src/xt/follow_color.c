@@ -1,11 +1,75 @@
+/* Followers of colored lines, and of rows that are not gray. */
 #include "follow_parts.h"
 
-void iris_follow_mark_color(iris_follow *follow, const uint8_t *rgb)
+static const uint8_t *mark_converted(iris_follow *follow, const void *pixels)
+{
+    (void)iris_color_gray_row(follow->row, pixels, follow->config.format, IRIS_GRAY_LUMA, follow->size.w);
+    iris_follow_mark(follow, follow->row);
+    return follow->row;
+}
+
+static const uint8_t *mark_color(iris_follow *follow, const void *pixels)
 {
     int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
+    const uint8_t *rgb = pixels;
+    if (follow->config.format != IRIS_RGB888) {
+        (void)iris_color_rgb_row(follow->row, pixels, follow->config.format, follow->size.w);
+        rgb = follow->row;
+    }
     follow->mask[(follow->size.w - 1) / 32] = 0; /* bits past w */
     iris_row_hsl_range(follow->mask, rgb, &follow->color, follow->size.w);
     for (int32_t b = 0; b < blocks; b++) {
         follow->blocks[b].below = (uint8_t)(follow->mask[b / 4] >> (b % 4 * 8));
     }
+    return NULL;
+}
+
+static int is_convertible(iris_format format)
+{
+    switch (format) {
+    case IRIS_GRAY8:
+    case IRIS_RGB888:
+    case IRIS_BGR888:
+    case IRIS_RGB565:
+    case IRIS_RGB565_SWAP:
+    case IRIS_YUYV:
+    case IRIS_UYVY:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+iris_status iris_follow_init_color(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                   iris_scratch *scratch)
+{
+    if (!follow || !scratch) {
+        return IRIS_ERR_ARG;
+    }
+    iris_follow made = {.mark = mark_converted};
+    iris_follow_config used;
+    iris_follow_defaults(&used);
+    used = config ? *config : used;
+    if (used.kind == IRIS_FOLLOW_COLOR) {
+        made.mark = mark_color;
+        if (iris_hsl_range_prepare(&made.color, &used.color) != IRIS_OK) {
+            return IRIS_ERR_ARG;
+        }
+    }
+    if (!is_convertible(used.format) || iris_format_row_bytes(used.format, size.w) == 0) {
+        return is_convertible(used.format) ? IRIS_ERR_RANGE : IRIS_ERR_FORMAT;
+    }
+    size_t mark = iris_scratch_mark(scratch);
+    iris_status status = iris_follow_prepare(&made, size, &used, scratch);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    made.mask = iris_scratch_take(scratch, ((size_t)size.w + 31) / 32 * 4);
+    made.row = iris_scratch_take(scratch, (size_t)size.w * 3);
+    if (!made.mask || !made.row) {
+        iris_scratch_release(scratch, mark);
+        return IRIS_ERR_SCRATCH;
+    }
+    *follow = made;
+    return IRIS_OK;
 }

@@ -140,7 +140,7 @@ static void learn(const iris_follow *follow, int32_t blocks)
     }
 }
 
-void iris_follow_mark_floor(iris_follow *follow, const uint8_t *gray)
+void iris_follow_mark(iris_follow *follow, const uint8_t *gray)
 {
     int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
     scan(follow, gray, blocks);

@@ -18,11 +18,30 @@ typedef struct iris_follow_chain {
     int16_t used;                    /* 1: it belongs to a line that was chosen before */
 } iris_follow_chain;
 
-/* follow_floor.c: from pixels to line bits, by brightness against the floor. */
-void iris_follow_mark_floor(iris_follow *follow, const uint8_t *gray);
+/* follow.c: what both kinds of init share. config is checked; *follow may be half made on errors. */
+iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                iris_scratch *scratch);
 
-/* follow_color.c: from pixels to line bits, by color. */
-void iris_follow_mark_color(iris_follow *follow, const uint8_t *rgb);
+/* What becomes of the chosen chains. */
+typedef struct {
+    iris_follow *follow;
+    iris_span *spans; /* per row; overlays follow->runs */
+    int16_t *twice_x; /* per row, twice the center or IRIS_REGRESS_NONE; overlays follow->owner */
+    int is_lane;
+    int32_t left_end, right_end; /* of a lane: the chains of its two lines that are nearest to the robot */
+    int32_t top, bottom;         /* first and last row of the line */
+    int32_t upright_top;         /* rows upright_top to bottom are fitted by row centers */
+    int32_t bar_top, bar_bottom; /* rows that lie across; bar_bottom < bar_top: none */
+    int32_t width;               /* of the line near the robot */
+} iris_follow_shape;
+
+static inline int32_t iris_span_width(iris_span span)
+{
+    return span.right - span.left + 1;
+}
+
+/* follow_floor.c: from pixels to line bits, by brightness against the floor. */
+void iris_follow_mark(iris_follow *follow, const uint8_t *gray);
 
 /* follow_runs.c: from line bits to runs, and from runs to chains. gray is null when lines are told by color. */
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
@@ -30,6 +49,18 @@ void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
 /* follow_choose.c: which chains are the line. Puts chains that continue each other together and marks the best of these as
  * used: the farthest chain, then .next towards the robot. Returns the farthest chain's number, or -1 when no line is left. */
 int32_t iris_follow_choose(iris_follow *follow);
+
+/* follow_spans.c: one span per row of the line, or of the lane between two (other >= 0). */
+void iris_follow_gather(iris_follow_shape *s, int32_t line, int32_t other);
+
+/* The mean width of the nearest `rows` rows that have the line. */
+int32_t iris_follow_mean_width(const iris_follow_shape *s, int32_t rows);
+
+/* follow_bend.c: tells crossing lines, which are bridged, from bends, which become the bar; sets width. */
+void iris_follow_find_bend(iris_follow_shape *s);
+
+/* The straight line through the bar. */
+iris_status iris_follow_fit_bar(iris_line *line, const iris_follow_shape *s);
 
 /* follow_shape.c: from the chosen chains to the result: one line, or (other >= 0) the lane between two. Returns 0 when two
  * lines have no row between them. */

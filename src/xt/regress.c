@@ -50,6 +50,22 @@ static iris_q16 mean_q16(int64_t sum, int64_t n)
     return (iris_q16)(whole * 65536 + rest * 65536 / n);
 }
 
+/* The direction of largest spread, from sums around the center (all of one scale): it has half the angle of
+ * (yy - xx, -2 xy), counted from straight up. */
+static iris_status set_direction(iris_line *line, int64_t xx, int64_t xy, int64_t yy)
+{
+    int64_t twice_xy = -2 * xy, difference = yy - xx;
+    if (twice_xy == 0 && difference == 0) {
+        return IRIS_ERR_RANGE;
+    }
+    shrink(&twice_xy, &difference);
+    int32_t doubled = iris_atan2_angle((int32_t)twice_xy, (int32_t)difference);
+    line->angle = (iris_angle)(doubled >> 1);
+    line->dx = iris_sin_q30(line->angle);
+    line->dy = -iris_cos_q30(line->angle);
+    return IRIS_OK;
+}
+
 iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
 {
     if (!line || !moments) {
@@ -59,23 +75,69 @@ iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
     if (n < 1) {
         return IRIS_ERR_RANGE;
     }
-    int64_t xx = centered(moments->xx, moments->x, moments->x, n);
-    int64_t yy = centered(moments->yy, moments->y, moments->y, n);
-    int64_t twice_xy = -2 * centered(moments->xy, moments->x, moments->y, n);
-    int64_t difference = yy - xx;
-    if (twice_xy == 0 && difference == 0) {
+    iris_status status = set_direction(line, centered(moments->xx, moments->x, moments->x, n),
+                                       centered(moments->xy, moments->x, moments->y, n),
+                                       centered(moments->yy, moments->y, moments->y, n));
+    if (status == IRIS_OK) {
+        line->x_q16 = mean_q16(moments->x, n);
+        line->y_q16 = mean_q16(moments->y, n);
+        line->points = (int32_t)n;
+    }
+    return status;
+}
+
+/* Sums over at most 2^14 points at twice the scale, within +-32767: products fit in 32 bits, and n times a sum of them in
+ * 64, so that no 64-bit division is needed. */
+typedef struct {
+    int32_t n, x, y;
+    int64_t xx, xy, yy;
+} near_sums;
+
+static void add_near(near_sums *sums, int32_t twice_x, int32_t twice_y)
+{
+    sums->n += 1;
+    sums->x += twice_x;
+    sums->y += twice_y;
+    sums->xx += twice_x * twice_x;
+    sums->xy += twice_x * twice_y;
+    sums->yy += twice_y * twice_y;
+}
+
+static iris_q16 near_mean_q16(int32_t twice_sum, int32_t n)
+{
+    return twice_sum / n * 32768 + twice_sum % n * 32768 / n;
+}
+
+static iris_status fit_near(iris_line *line, const near_sums *sums)
+{
+    int64_t n = sums->n;
+    if (n < 1) {
         return IRIS_ERR_RANGE;
     }
-    shrink(&twice_xy, &difference);
-    /* the direction of largest spread has half the angle of (yy - xx, -2 xy), counted from straight up */
-    int32_t doubled = iris_atan2_angle((int32_t)twice_xy, (int32_t)difference);
-    line->angle = (iris_angle)(doubled >> 1);
-    line->dx = iris_sin_q30(line->angle);
-    line->dy = -iris_cos_q30(line->angle);
-    line->x_q16 = mean_q16(moments->x, n);
-    line->y_q16 = mean_q16(moments->y, n);
-    line->points = (int32_t)n;
-    return IRIS_OK;
+    iris_status status =
+        set_direction(line, n * sums->xx - (int64_t)sums->x * sums->x,
+                      n * sums->xy - (int64_t)sums->x * sums->y, n * sums->yy - (int64_t)sums->y * sums->y);
+    if (status == IRIS_OK) {
+        line->x_q16 = near_mean_q16(sums->x, sums->n);
+        line->y_q16 = near_mean_q16(sums->y, sums->n);
+        line->points = sums->n;
+    }
+    return status;
+}
+
+iris_status iris_regress_points(iris_line *line, const iris_point *points, int32_t count)
+{
+    if (!line || !points || count < 0 || count > IRIS_REGRESS_POINTS_MAX) {
+        return IRIS_ERR_ARG;
+    }
+    near_sums sums = {0};
+    for (int32_t i = 0; i < count; i++) {
+        if (points[i].twice_x == INT16_MIN || points[i].twice_y == INT16_MIN) {
+            return IRIS_ERR_ARG;
+        }
+        add_near(&sums, points[i].twice_x, points[i].twice_y);
+    }
+    return fit_near(line, &sums);
 }
 
 /* Distance of a point from the line in quarter pixels (12 fraction bits of the direction keep it in 32 bits).
@@ -88,34 +150,17 @@ static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
     return across < 0 ? -across : across;
 }
 
-/* iris_moments_add for coordinates within +-32767, whose products fit in 32 bits. */
-static void add_near(iris_moments *moments, int32_t x, int32_t y)
-{
-    moments->n += 1;
-    moments->x += x;
-    moments->y += y;
-    moments->xx += x * x;
-    moments->xy += x * y;
-    moments->yy += y * y;
-}
-
+/* The line through the rows' points within the limit of *line; all points when it is negative. */
 static iris_status fit_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t limit_q2)
 {
-    iris_moments moments = {0};
+    near_sums sums = {0};
     for (int32_t y = y0; y <= y1; y++) {
         if (twice_x[y] != IRIS_REGRESS_NONE &&
             (limit_q2 < 0 || distance_q2(line, twice_x[y], y) <= limit_q2)) {
-            add_near(&moments, twice_x[y], 2 * y);
+            add_near(&sums, twice_x[y], 2 * y);
         }
     }
-    iris_line fitted;
-    iris_status status = iris_regress_moments(&fitted, &moments);
-    if (status == IRIS_OK) {
-        fitted.x_q16 /= 2; /* the moments were taken at twice the scale, so that centers are whole numbers */
-        fitted.y_q16 /= 2;
-        *line = fitted;
-    }
-    return status;
+    return fit_near(line, &sums);
 }
 
 iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t trims)

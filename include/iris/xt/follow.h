@@ -80,46 +80,57 @@ typedef struct {
                               null when stale or lost */
 } iris_follow_result;
 
-/* Working memory for frames of w x h pixels: 3.4 KB for 160x120. Kept by the follower for its whole life. */
+/* Working memory for frames of w x h pixels, kept by the follower for its whole life: 3.0 KB for 160x120. The second size is
+ * for iris_follow_init_color: 3.5 KB. */
 #define IRIS_FOLLOW_BLOCKS(w) (((size_t)(w) + 7) / 8)
 #define IRIS_FOLLOW_SCRATCH_BYTES(w, h)                                                                      \
     (IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS * sizeof(iris_span)) +                                  \
      IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 32) +        \
-     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 4) +         \
-     IRIS_SCRATCH_ROUND(((size_t)(w) + 31) / 32 * 4) + IRIS_SCRATCH_ROUND((size_t)(w)*3))
+     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 4))
+#define IRIS_FOLLOW_COLOR_SCRATCH_BYTES(w, h)                                                                \
+    (IRIS_FOLLOW_SCRATCH_BYTES(w, h) + IRIS_SCRATCH_ROUND(((size_t)(w) + 31) / 32 * 4) +                     \
+     IRIS_SCRATCH_ROUND((size_t)(w)*3))
 
 /* A follower. The fields are its own; keep it anywhere, but do not copy it while a frame is being fed. */
-typedef struct {
+typedef struct iris_follow iris_follow;
+struct iris_follow {
     iris_follow_config config;
-    iris_hsl_range_test color; /* the range, made ready */
     iris_size size;
-    int32_t y;            /* rows fed in this frame; -1 between frames */
-    int32_t min_width;    /* pixels */
-    int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
-    int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
-    int32_t chain_count;
+    int32_t y;               /* rows fed in this frame; -1 between frames */
+    int32_t min_width;       /* pixels */
+    int32_t max_gap;         /* columns that do not interrupt a run, rows that do not interrupt a chain */
+    int32_t contrast_q10;    /* contrast_permil with 10 fraction bits */
+    int32_t chain_count;     /* in this frame */
     int32_t seen;            /* 1 once a line was found */
     uint32_t seen_ms;        /* when */
     iris_follow_result last; /* what a stale frame repeats */
+    /* Finds a row's line pixels; returns the row as gray, or null when lines are told by color. */
+    const uint8_t *(*mark)(iris_follow *follow, const void *pixels);
+    iris_hsl_range_test color; /* the range, made ready */
     /* in the caller's working memory: */
-    uint16_t *floor;            /* level of the floor per block of 8 columns, 8 fraction bits */
-    struct iris_block8 *blocks; /* this row, 8 columns each */
-    uint32_t *mask;             /* this row by color, one bit per column */
-    iris_span *runs;            /* IRIS_FOLLOW_RUNS per row; after the frame: one span per row */
-    uint8_t *owner;             /* chain of each run */
-    struct iris_follow_chain *chains;
-    uint8_t *row; /* the row as GRAY8 or RGB888 */
-} iris_follow;
+    uint16_t *floor;                  /* level of the floor per block of 8 columns, 8 fraction bits */
+    struct iris_block8 *blocks;       /* this row, 8 columns each */
+    iris_span *runs;                  /* IRIS_FOLLOW_RUNS per row; after the frame: one span per row */
+    uint8_t *owner;                   /* chain of each run */
+    struct iris_follow_chain *chains; /* pieces of line, or of anything else that looks like it */
+    uint32_t *mask;                   /* this row by color, one bit per column */
+    uint8_t *row;                     /* this row as GRAY8 or RGB888 */
+};
 
 /* Sensible values, as given above. Null is ignored. */
 void iris_follow_defaults(iris_follow_config *config);
 
-/* Prepares a follower for frames of the given size. config may be null for the defaults; it is copied. The
- * working memory (IRIS_FOLLOW_SCRATCH_BYTES) stays taken. IRIS_ERR_ARG: null pointer, or a config value out
- * of range; IRIS_ERR_RANGE: a side outside 8..IRIS_FOLLOW_SIDE_MAX; IRIS_ERR_FORMAT: rows of a format that
- * cannot be converted; IRIS_ERR_SCRATCH. O(w). */
+/* Prepares a follower of dark or bright lines for frames of IRIS_GRAY8 of the given size. config may be null for the
+ * defaults; it is copied. The working memory (IRIS_FOLLOW_SCRATCH_BYTES) stays taken.
+ * IRIS_ERR_ARG: null pointer, or a config value out of range; IRIS_ERR_RANGE: a side outside 8..IRIS_FOLLOW_SIDE_MAX;
+ * IRIS_ERR_FORMAT: the config asks for another format or for a color, see below; IRIS_ERR_SCRATCH. O(w). */
 iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_follow_config *config,
                              iris_scratch *scratch);
+
+/* The same for every kind of line and every format of rows (IRIS_FOLLOW_COLOR_SCRATCH_BYTES). It is apart so that firmware
+ * with a gray sensor carries no color conversion. IRIS_ERR_FORMAT: rows of a format that cannot be converted. */
+iris_status iris_follow_init_color(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                   iris_scratch *scratch);
 
 /* A whole frame: begin, every row, end. frame must have the size and format given at init.
  * IRIS_ERR_ARG: null pointer or invalid image; IRIS_ERR_RANGE: another size; IRIS_ERR_FORMAT: another format.
