@@ -11,6 +11,8 @@ $(OUT)/bench-count: $(call BENCH,cases count stdout) $(LIB)
 	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench-time: $(call BENCH,cases time) $(LIB)
 	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
+$(OUT)/bench-kernels: $(call BENCH,kernels time) $(LIB)
+	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench.elf: STACK := 16384
 $(OUT)/bench.elf: $(call BENCH,cases count) $(START) $(LIB)
 	$(CC) $(BASE) $(LINK) -o $@ $(filter %.o %.a,$^)
@@ -24,6 +26,8 @@ count-user: $(OUT)/bench-count
 	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
 time-host: $(OUT)/bench-time
 	@$< > $(RESULTS)/$(RESULT)
+time-kernels: $(OUT)/bench-kernels
+	@$< > $(RESULTS)/$(RESULT)
 
 # ARMv6-M code of the M0 is counted on a board with an M3, which runs it too and has room for a frame.
 bench: $(COUNTER) ## instructions per pixel on M4, M0, and AArch64 (exact), nanoseconds per pixel on this machine
@@ -36,6 +40,14 @@ bench: $(COUNTER) ## instructions per pixel on M4, M0, and AArch64 (exact), nano
 	@echo 'Frames of 160x120, compiled with $(OPT).'
 	@tools/bench/table $(RESULTS)/*
 
+bench-kernels: ## nanoseconds per pixel on this machine, plain C beside this PORT
+	@rm -rf $(RESULTS)
+	@mkdir -p $(RESULTS)
+	+@$(NATIVE) PORT=generic RESULT=1-generic time-kernels
+	+@$(NATIVE) RESULT=2-$(PORT) time-kernels
+	@echo 'Frames of 640x480, compiled with $(OPT).'
+	@tools/bench/table $(RESULTS)/*
+
 size: ## bytes of flash and RAM on a Cortex-M0 at -Os: every file of the library, and the firmware follower
 	+@$(M0) weigh
 weigh: $(LIB) $(OUT)/firmware.elf
@@ -43,4 +55,4 @@ weigh: $(LIB) $(OUT)/firmware.elf
 	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
 	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
 	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
-.PHONY: size weigh bench count-target count-user time-host
+.PHONY: size weigh bench bench-kernels count-target count-user time-host time-kernels
