@@ -181,7 +181,7 @@ static int32_t segments_x_q16(const iris_follow_result *result, int32_t y)
         }
     }
     int32_t rows = best->y1 - best->y0, columns = best->x1 - best->x0;
-    if (columns > 4 * -rows || columns < 4 * rows) { /* level: no row but its own */
+    if (rows == 0 || columns > 4 * -rows || columns < 4 * rows) { /* level: no row but its own */
         return (best->x0 + best->x1) * 32768;
     }
     return within_reach(best->x0 * 65536 + (int64_t)(columns * 65536 / rows) * (y - best->y0));
