@@ -154,7 +154,7 @@ static size_t row_bytes(const operand *row, const settings *with, int32_t n)
         return 0;
     }
     int32_t pixels = n + (row->content == COLUMN_SUMS ? with->window.side - 1 : 0);
-    return (size_t)((pixels + row->per - 1) / row->per * row->bytes);
+    return (size_t)(pixels + row->per - 1) / (size_t)row->per * (size_t)row->bytes;
 }
 
 /* ---- adversarial content ---- */

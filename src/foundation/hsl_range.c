@@ -58,6 +58,22 @@ iris_status iris_hsl_range_row(uint32_t *mask, const uint8_t *rgb, int32_t n, co
 /* Pixels that are converted to RGB at a time: whole words of the mask. */
 #define PIECE 64
 
+static iris_status row_by_pieces(uint32_t *bits, const uint8_t *from, const iris_image *src,
+                                 const iris_hsl_range_test *test)
+{
+    size_t piece_bytes = iris_format_row_bytes(src->format, PIECE);
+    for (int32_t x = 0; x < src->w; x += PIECE, bits += PIECE / 32, from += piece_bytes) {
+        uint8_t rgb[3 * PIECE];
+        int32_t n = src->w - x < PIECE ? src->w - x : PIECE;
+        iris_status status = iris_color_rgb_row(rgb, from, src->format, n);
+        if (status != IRIS_OK) {
+            return status;
+        }
+        iris_row_hsl_range(bits, rgb, test, n);
+    }
+    return IRIS_OK;
+}
+
 iris_status iris_hsl_range_mask(const iris_image *mask, const iris_image *src, const iris_hsl_range *range)
 {
     iris_hsl_range_test test;
@@ -74,19 +90,15 @@ iris_status iris_hsl_range_mask(const iris_image *mask, const iris_image *src, c
     if (iris_image_overlaps(mask, src)) {
         return IRIS_ERR_ALIAS;
     }
-    size_t piece_bytes = iris_format_row_bytes(src->format, PIECE);
-    for (int32_t y = 0; y < src->h; y++) {
+    iris_status status = IRIS_OK;
+    for (int32_t y = 0; y < src->h && status == IRIS_OK; y++) {
         uint32_t *bits = (uint32_t *)iris_image_row(mask, y);
         const uint8_t *from = (const uint8_t *)iris_image_row(src, y);
-        for (int32_t x = 0; x < src->w; x += PIECE, bits += PIECE / 32, from += piece_bytes) {
-            uint8_t rgb[3 * PIECE];
-            int32_t n = src->w - x < PIECE ? src->w - x : PIECE;
-            iris_status status = iris_color_rgb_row(rgb, from, src->format, n);
-            if (status != IRIS_OK) {
-                return status;
-            }
-            iris_row_hsl_range(bits, rgb, &test, n);
+        if (src->format == IRIS_RGB888) {
+            iris_row_hsl_range(bits, from, &test, src->w);
+        } else {
+            status = row_by_pieces(bits, from, src, &test);
         }
     }
-    return IRIS_OK;
+    return status;
 }
