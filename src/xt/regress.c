@@ -1,7 +1,18 @@
 #include "iris/xt/regress.h"
 
+#define COORDINATE_MAX 65535
+#define POINTS_MAX     ((int64_t)1 << 30)
+
+static int beyond(int64_t value, int64_t limit)
+{
+    return value < -limit || value > limit;
+}
+
 void iris_moments_add(iris_moments *moments, int32_t x, int32_t y)
 {
+    if (beyond(x, COORDINATE_MAX) || beyond(y, COORDINATE_MAX) || moments->n >= POINTS_MAX) {
+        return;
+    }
     moments->n += 1;
     moments->x += x;
     moments->y += y;
@@ -13,6 +24,10 @@ void iris_moments_add(iris_moments *moments, int32_t x, int32_t y)
 void iris_moments_add_run(iris_moments *moments, int32_t x0, int32_t x1, int32_t y)
 {
     int64_t n = (int64_t)x1 - x0 + 1;
+    if (x0 > x1 || beyond(x0, COORDINATE_MAX) || beyond(x1, COORDINATE_MAX) || beyond(y, COORDINATE_MAX) ||
+        moments->n > POINTS_MAX - n) {
+        return;
+    }
     int64_t twice_sum = n * ((int64_t)x0 + x1);
     /* sum of squares of x0..x1: n times the squared mean, plus n (n^2 - 1) / 12 around it, over a common
      * denominator */
@@ -26,13 +41,14 @@ void iris_moments_add_run(iris_moments *moments, int32_t x0, int32_t x1, int32_t
 }
 
 /* sum (a - mean a)(b - mean b) without products beyond 64 bits: the whole part of the mean first, then the
- * rest. */
+ * rest. A few points get 8 fraction bits; many do not need them, nor have room for them. */
 static int64_t centered(int64_t ab, int64_t a, int64_t b, int64_t n)
 {
+    int64_t scale = n < 1 << 20 ? 256 : 1;
     int64_t qa = a / n, ra = a % n;
     int64_t qb = b / n, rb = b % n;
-    int64_t around_whole = ab - qa * b - qb * (a - qa * n);
-    return around_whole - ra * rb / n;
+    int64_t around_whole = ab - qa * b - qb * ra;
+    return around_whole * scale - ra * rb * scale / n;
 }
 
 /* Both values shifted right alike until they fit in 30 bits: their ratio is what counts. */
@@ -44,22 +60,34 @@ static void shrink(int64_t *a, int64_t *b)
     }
 }
 
+/* sum / n, saturated: centers beyond 32767 do not fit. */
 static iris_q16 mean_q16(int64_t sum, int64_t n)
 {
     int64_t whole = sum / n, rest = sum % n;
-    return (iris_q16)(whole * 65536 + rest * 65536 / n);
+    return iris_sat_s32(whole * 65536 + rest * 65536 / n);
+}
+
+/* Can these be the sums of points that iris_moments_add takes? Then all that follows stays within 64 bits. */
+static int are_plausible(const iris_moments *m)
+{
+    if (m->n < 1 || m->n > POINTS_MAX) {
+        return 0;
+    }
+    int64_t most = m->n * COORDINATE_MAX, most_squares = most * COORDINATE_MAX;
+    return !beyond(m->x, most) && !beyond(m->y, most) && !beyond(m->xy, most_squares) && m->xx >= 0 &&
+           m->xx <= most_squares && m->yy >= 0 && m->yy <= most_squares;
 }
 
 /* The direction of largest spread, from sums around the center (all of one scale): it has half the angle of
  * (yy - xx, -2 xy), counted from straight up. */
 static iris_status set_direction(iris_line *line, int64_t xx, int64_t xy, int64_t yy)
 {
-    int64_t twice_xy = -2 * xy, difference = yy - xx;
-    if (twice_xy == 0 && difference == 0) {
+    int64_t difference = yy - xx;
+    if (xy == 0 && difference == 0) {
         return IRIS_ERR_RANGE;
     }
-    shrink(&twice_xy, &difference);
-    int32_t doubled = iris_atan2_angle((int32_t)twice_xy, (int32_t)difference);
+    shrink(&xy, &difference);
+    int32_t doubled = iris_atan2_angle(-2 * (int32_t)xy, (int32_t)difference);
     line->angle = (iris_angle)(doubled >> 1);
     line->dx = iris_sin_q30(line->angle);
     line->dy = -iris_cos_q30(line->angle);
@@ -71,10 +99,10 @@ iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
     if (!line || !moments) {
         return IRIS_ERR_ARG;
     }
-    int64_t n = moments->n;
-    if (n < 1) {
+    if (!are_plausible(moments)) {
         return IRIS_ERR_RANGE;
     }
+    int64_t n = moments->n;
     iris_status status = set_direction(line, centered(moments->xx, moments->x, moments->x, n),
                                        centered(moments->xy, moments->x, moments->y, n),
                                        centered(moments->yy, moments->y, moments->y, n));
@@ -86,8 +114,8 @@ iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
     return status;
 }
 
-/* Sums over at most 2^14 points at twice the scale, within +-32767: products fit in 32 bits, and n times a sum of them in
- * 64, so that no 64-bit division is needed. */
+/* Sums over at most 2^14 points at twice the scale, within +-32767: products fit in 32 bits, and n times a sum
+ * of them in 64, so that no 64-bit division is needed. */
 typedef struct {
     int32_t n, x, y;
     int64_t xx, xy, yy;
@@ -163,6 +191,20 @@ static iris_status fit_rows(iris_line *line, const int16_t *twice_x, int32_t y0,
     return fit_near(line, &sums);
 }
 
+/* 2.5 times the mean distance of the rows' points from the line, in quarter pixels; a pixel at least. */
+static int32_t trim_limit_q2(const iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1)
+{
+    uint32_t sum = 0, twice_points = 0; /* at most 2^14 rows of less than 2^18 each */
+    for (int32_t y = y0; y <= y1; y++) {
+        if (twice_x[y] != IRIS_REGRESS_NONE) {
+            sum += (uint32_t)distance_q2(line, twice_x[y], y);
+            twice_points += 2;
+        }
+    }
+    int32_t limit = (int32_t)(sum / twice_points * 5 + sum % twice_points * 5 / twice_points);
+    return limit < 4 ? 4 : limit;
+}
+
 iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t trims)
 {
     if (!line || !twice_x || y0 < 0 || y0 > y1 || y1 > IRIS_REGRESS_ROW_MAX || trims < 0 || trims > 4) {
@@ -171,12 +213,8 @@ iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y
     iris_line fitted = {0};
     iris_status status = fit_rows(&fitted, twice_x, y0, y1, -1);
     for (; status == IRIS_OK && trims > 0; trims--) {
-        int32_t sum = 0; /* at most 32767 rows of less than 2^16 each */
-        for (int32_t y = y0; y <= y1; y++) {
-            sum += twice_x[y] != IRIS_REGRESS_NONE ? distance_q2(&fitted, twice_x[y], y) >> 1 : 0;
-        }
-        int32_t limit = sum / fitted.points * 5; /* sum is halved: 2.5 times the mean */
-        fit_rows(&fitted, twice_x, y0, y1, limit < 4 ? 4 : limit);
+        /* when what is left has no direction, the line before stays */
+        fit_rows(&fitted, twice_x, y0, y1, trim_limit_q2(&fitted, twice_x, y0, y1));
     }
     if (status == IRIS_OK) {
         *line = fitted;
