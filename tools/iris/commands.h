@@ -6,5 +6,6 @@ int cmd_info(int argc, char **argv);
 int cmd_convert(int argc, char **argv);
 int cmd_gray(int argc, char **argv);
 int cmd_threshold(int argc, char **argv);
+int cmd_follow(int argc, char **argv);
 
 #endif

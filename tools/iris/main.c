@@ -18,6 +18,7 @@ static const command commands[] = {
     {"convert", cmd_convert, "another format, size, or part of pictures"},
     {"gray", cmd_gray, "color pictures to gray"},
     {"threshold", cmd_threshold, "gray pictures to masks"},
+    {"follow", cmd_follow, "the line on the floor, and how to steer"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])

@@ -1,0 +1,215 @@
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "args.h"
+#include "commands.h"
+#include "complain.h"
+#include "follow_options.h"
+#include "follow_overlay.h"
+#include "follow_port.h"
+#include "follow_report.h"
+#include "frame_reader.h"
+#include "inputs.h"
+#include "iris/xt/follow.h"
+#include "iris/xt/steer.h"
+#include "progress.h"
+
+static const char help[] =
+    "usage: iris follow [options] IN...\n\n"
+    "Finds the line on the floor in each frame and says how to steer, in one line per frame, at once.\n"
+    "IN is a BMP, PGM, or PPM file, a folder of them, or - for standard input, which may hold\n"
+    "several one after another. All of them together are one sequence.\n\n"
+    "  --line KIND    dark (default), bright, or hsl:H0-H1:S0-S1:L0-L1: hue in degrees,\n"
+    "                 saturation and lightness in percent; 350-10 goes through red\n"
+    "  --lane         follow the middle between two lines\n"
+    "  --rows Y,...   the rows to report; default: the look-ahead row (a third from the top),\n"
+    "                 the middle, and the bottom in JSON, none in the text\n"
+    "  --json         one JSON object per frame\n"
+    "  --stills       frames have nothing to do with each other: forget between them\n"
+    "  --rate N       frames per second, 1 to 1000, default 30\n"
+    "  --overlay DIR  write each frame with what was found drawn in, as a BMP\n"
+    "  --serial DEV   send each command to a serial port; files are then paced at --rate\n"
+    "  --baud N       its speed, default 115200\n\n"
+    "angle: degrees, 0 straight ahead, right positive; next: behind a sharp bend. offset, ahead: of the\n"
+    "line from the middle at the bottom row and the look-ahead row, 1 is half the width. A line lost for\n"
+    "up to 200 ms is stale: its last result is repeated, without rows. After that it is lost.\n"
+    "steer: -1 full left to 1 full right, and as wheel angle; speed: 0 to 1. Both are there for lost\n"
+    "frames too: the search for the line, then the stop. In JSON, what does not exist is null.\n\n"
+    "example: iris follow --rows 40,120,200 --overlay seen frames/\n"
+    "         camera | iris follow --json --serial /dev/ttyUSB0 -\n"
+    "         iris follow --line hsl:50-90:20-100:20-70 yellow/*.bmp\n";
+
+/* Where the library works: enough for the largest frame. */
+static IRIS_SCRATCH_BUFFER(memory,
+                           IRIS_FOLLOW_COLOR_SCRATCH_BYTES(IRIS_FOLLOW_SIDE_MAX, IRIS_FOLLOW_SIDE_MAX));
+
+/* The sequence of frames so far. */
+typedef struct {
+    const follow_options *options;
+    int name_width;
+    int64_t frame;    /* place of the frame among the inputs, 1 first */
+    int64_t answered; /* frames with an answer */
+    uint32_t last_ms; /* time of the last of them */
+    iris_size size;   /* that the follower is made for; 0x0: none yet */
+    iris_follow follow;
+    iris_steer steer;
+    picture_buffer picture;
+} sequence;
+
+/* Makes the follower ready for frames of another size. Returns an exit code after complaining. */
+static int change_size(sequence *s, const char *file, iris_size size)
+{
+    iris_scratch scratch;
+    const follow_options *options = s->options;
+    iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
+    if (iris_follow_init_color(&s->follow, size, &options->line, &scratch) != IRIS_OK) {
+        complain(file, "%dx%d pixels: sides of 8 to %d can be followed", (int)size.w, (int)size.h,
+                 IRIS_FOLLOW_SIDE_MAX);
+        return EXIT_BAD_DATA;
+    }
+    for (int i = 0; i < options->row_count && s->answered == 0; i++) {
+        if (options->rows[i] >= size.h) {
+            complain("--rows", "row %d is outside of %s (%dx%d)", (int)options->rows[i], file, (int)size.w,
+                     (int)size.h);
+            return EXIT_BAD_CALL;
+        }
+    }
+    s->size = size;
+    return EXIT_DONE;
+}
+
+/* Follows the line into this frame and steers. */
+static void look(follow_answer *answer, sequence *s, uint32_t now_ms)
+{
+    int32_t elapsed_ms = s->answered > 0 ? (int32_t)(now_ms - s->last_ms) : 0;
+    if (s->options->stills) {
+        iris_follow_forget(&s->follow);
+        iris_steer_init(&s->steer, NULL);
+        elapsed_ms = 0;
+    }
+    iris_follow_frame(&answer->line, &s->follow, &s->picture.image, now_ms);
+    iris_steer_update(&answer->command, &s->steer, &answer->line, elapsed_ms);
+    answer->command.seq = (int32_t)(s->answered % 10000); /* --stills too counts sentences */
+    answer->wheel_centideg = iris_steer_wheel_centideg(&s->steer, &answer->command);
+    s->answered++;
+    s->last_ms = now_ms;
+}
+
+/* Answers the frame in s->picture. Returns an exit code. */
+static int answer_frame(sequence *s, const char *file)
+{
+    const follow_options *options = s->options;
+    follow_answer answer = {
+        .file = file, .frame = s->frame, .size = {s->picture.image.w, s->picture.image.h}};
+    int64_t now_ms = (s->frame - 1) * 1000 / options->rate;
+    if (answer.size.w != s->size.w || answer.size.h != s->size.h) {
+        int exit_code = change_size(s, file, answer.size);
+        if (exit_code != EXIT_DONE) {
+            return exit_code;
+        }
+    }
+    look(&answer, s, (uint32_t)now_ms);
+    if (options->serial) {
+        if (strcmp(file, "-") != 0) {
+            follow_port_wait(now_ms);
+        }
+        follow_port_send(&answer.command);
+    }
+    follow_report(&answer, options, s->name_width);
+    return options->overlay ? follow_overlay_write(options->overlay, &s->picture.image, &answer) : EXIT_DONE;
+}
+
+/* The first picture of a file; of standard input every one, until it ends. Returns an exit code. */
+static int follow_input(sequence *s, const char *file)
+{
+    static frame_reader reader;
+    int is_stdin = strcmp(file, "-") == 0, exit_code = EXIT_DONE, code = EXIT_DONE;
+    iris_status status = frame_reader_open(&reader, file);
+    do {
+        status = status == IRIS_OK ? frame_reader_next(&reader, &s->picture, IRIS_RGB888) : status;
+        if (status != IRIS_ERR_END) {
+            s->frame++;
+        }
+        if (status == IRIS_OK) {
+            code = answer_frame(s, file);
+            exit_code = code != EXIT_DONE ? code : exit_code;
+        }
+    } while (is_stdin && status == IRIS_OK && code == EXIT_DONE && !ferror(stdout));
+    frame_reader_close(&reader);
+    if (status != IRIS_OK && !(status == IRIS_ERR_END && reader.frames > 0)) {
+        complain(file, "%s", frame_reader_problem(&reader));
+        exit_code = EXIT_BAD_DATA;
+    }
+    return exit_code;
+}
+
+static int follow_all(sequence *s, const input_list *inputs)
+{
+    int exit_code = EXIT_DONE;
+    for (int i = 0; i < inputs->count && exit_code != EXIT_BAD_CALL && !ferror(stdout); i++) {
+        if (!isatty(STDOUT_FILENO)) {
+            progress_show("follow", i + 1, inputs->count, inputs->paths[i]);
+        }
+        int code = follow_input(s, inputs->paths[i]);
+        exit_code = code != EXIT_DONE ? code : exit_code;
+    }
+    progress_clear();
+    return exit_code;
+}
+
+/* Opens what the answers go to, and follows. Returns an exit code. */
+static int run(const follow_options *options, const input_list *inputs)
+{
+    static sequence s;
+    s.options = options;
+    iris_steer_init(&s.steer, NULL);
+    for (int i = 0; i < inputs->count; i++) {
+        int length = (int)strlen(inputs->paths[i]);
+        s.name_width = length > s.name_width && length <= 60 ? length : s.name_width;
+    }
+    int exit_code = options->overlay ? follow_overlay_begin(options->overlay, inputs) : EXIT_DONE;
+    if (exit_code == EXIT_DONE && options->serial) {
+        exit_code = follow_port_open(options->serial, options->baud);
+    }
+    if (exit_code != EXIT_DONE) {
+        return exit_code;
+    }
+    exit_code = follow_all(&s, inputs);
+    if (options->serial && follow_port_stop() != EXIT_DONE && exit_code == EXIT_DONE) {
+        exit_code = EXIT_BAD_DATA;
+    }
+    follow_overlay_end();
+    picture_free(&s.picture);
+    return exit_code;
+}
+
+int cmd_follow(int argc, char **argv)
+{
+    static follow_options options;
+    follow_texts texts = {NULL, NULL, NULL, NULL};
+    int lane = 0;
+    const args_option known[] = {{"line", 0, NULL, &texts.line},         {"lane", 0, &lane, NULL},
+                                 {"rows", 0, NULL, &texts.rows},         {"json", 0, &options.json, NULL},
+                                 {"stills", 0, &options.stills, NULL},   {"rate", 0, NULL, &texts.rate},
+                                 {"overlay", 0, NULL, &options.overlay}, {"serial", 0, NULL, &options.serial},
+                                 {"baud", 0, NULL, &texts.baud}};
+    arguments args = {help, known, sizeof known / sizeof known[0], NULL, 0};
+    int exit_code = args_parse(&args, argc, argv);
+    if (exit_code != ARGS_GO) {
+        return exit_code;
+    }
+    if (args.operand_count == 0) {
+        complain(NULL, "no input (see --help)");
+        return EXIT_BAD_CALL;
+    }
+    if (!follow_options_read(&options, &texts)) {
+        return EXIT_BAD_CALL;
+    }
+    options.line.lane = lane;
+    input_list inputs;
+    exit_code = inputs_expand(&inputs, args.operand_count, args.operands);
+    int run_code = inputs.count > 0 ? run(&options, &inputs) : exit_code;
+    inputs_free(&inputs);
+    return run_code != EXIT_DONE ? run_code : exit_code;
+}

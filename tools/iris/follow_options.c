@@ -1,0 +1,110 @@
+#include "follow_options.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "args.h"
+#include "complain.h"
+
+/* Reads "low-high" up to `end` and steps behind it. Returns 0 when *text is not that. */
+static int read_bounds(int32_t bounds[2], const char **text, char end)
+{
+    char piece[24];
+    size_t length = strcspn(*text, ":");
+    if (length >= sizeof piece || (*text)[length] != end) {
+        return 0;
+    }
+    memcpy(piece, *text, length);
+    piece[length] = '\0';
+    *text += length + (end != '\0');
+    return args_numbers(bounds, 2, '-', piece);
+}
+
+static int are_within(const int32_t bounds[2], int32_t most)
+{
+    return bounds[0] >= 0 && bounds[0] <= most && bounds[1] >= 0 && bounds[1] <= most;
+}
+
+static int read_hsl(iris_hsl_range *range, const char *text)
+{
+    int32_t h[2], s[2], l[2];
+    const char *at = text;
+    if (!read_bounds(h, &at, ':') || !read_bounds(s, &at, ':') || !read_bounds(l, &at, '\0')) {
+        complain("--line", "hsl:H0-H1:S0-S1:L0-L1 in whole numbers, not 'hsl:%s'", text);
+        return 0;
+    }
+    if (!are_within(h, 360)) {
+        complain("--line", "hue is 0 to 360 degrees, not %d-%d", (int)h[0], (int)h[1]);
+        return 0;
+    }
+    for (int i = 0; i < 2; i++) {
+        const int32_t *bounds = i == 0 ? s : l;
+        if (!are_within(bounds, 100) || bounds[0] > bounds[1]) {
+            complain("--line", "%s is 0 to 100 percent, low to high, not %d-%d",
+                     i == 0 ? "saturation" : "lightness", (int)bounds[0], (int)bounds[1]);
+            return 0;
+        }
+    }
+    *range = (iris_hsl_range){h[0], h[1], s[0], s[1], l[0], l[1]};
+    return 1;
+}
+
+static int read_line(iris_follow_config *config, const char *text)
+{
+    if (strncmp(text, "hsl:", 4) == 0) {
+        config->kind = IRIS_FOLLOW_COLOR;
+        return read_hsl(&config->color, text + 4);
+    }
+    if (strcmp(text, "dark") != 0 && strcmp(text, "bright") != 0) {
+        complain("--line", "dark, bright, or hsl:H0-H1:S0-S1:L0-L1, not '%s'", text);
+        return 0;
+    }
+    config->kind = *text == 'd' ? IRIS_FOLLOW_DARK : IRIS_FOLLOW_BRIGHT;
+    return 1;
+}
+
+static int read_rows(follow_options *options, const char *text)
+{
+    int count = 1;
+    for (const char *at = text; *at != '\0'; at++) {
+        count += *at == ',';
+    }
+    if (count > FOLLOW_ROWS_MAX) {
+        complain("--rows", "at most %d rows, not %d", FOLLOW_ROWS_MAX, count);
+        return 0;
+    }
+    int good = args_numbers(options->rows, count, ',', text);
+    for (int i = 0; i < count && good; i++) {
+        good = options->rows[i] >= 0 && options->rows[i] < IRIS_FOLLOW_SIDE_MAX;
+    }
+    if (!good) {
+        complain("--rows", "rows from 0 to %d with commas between them, not '%s'", IRIS_FOLLOW_SIDE_MAX - 1,
+                 text);
+        return 0;
+    }
+    options->row_count = count;
+    return 1;
+}
+
+static int read_number(int32_t *number, const char *option, const char *text, int32_t low, int32_t high)
+{
+    if (!args_numbers(number, 1, ',', text) || *number < low || *number > high) {
+        complain(option, "%d to %d, not '%s'", (int)low, (int)high, text);
+        return 0;
+    }
+    return 1;
+}
+
+int follow_options_read(follow_options *options, const follow_texts *texts)
+{
+    iris_follow_defaults(&options->line);
+    options->line.format = IRIS_RGB888;
+    options->row_count = 0;
+    options->rate = 30;
+    options->baud = 115200;
+    return (!texts->line || read_line(&options->line, texts->line)) &&
+           (!texts->rows || read_rows(options, texts->rows)) &&
+           (!texts->rate || read_number(&options->rate, "--rate", texts->rate, 1, 1000)) &&
+           (!texts->baud || read_number(&options->baud, "--baud", texts->baud, 1200, 4000000));
+}

@@ -1,0 +1,28 @@
+/* What `iris follow` was asked for: the kind of line, the rows to report, and plain numbers, read from their texts. */
+#ifndef IRIS_TOOL_FOLLOW_OPTIONS_H
+#define IRIS_TOOL_FOLLOW_OPTIONS_H
+
+#include "iris/xt/follow.h"
+
+#define FOLLOW_ROWS_MAX 1024
+
+typedef struct {
+    iris_follow_config line;
+    int32_t rows[FOLLOW_ROWS_MAX]; /* as given */
+    int row_count;                 /* 0: none given */
+    int32_t rate;                  /* frames per second */
+    int32_t baud;
+    int json, stills;
+    const char *overlay; /* folder; null: none */
+    const char *serial;  /* device; null: none */
+} follow_options;
+
+/* The options as texts, null where not given. */
+typedef struct {
+    const char *line, *rows, *rate, *baud;
+} follow_texts;
+
+/* Fills everything of `options` that texts decide; what is not given gets its default. Returns 0 after complaining. */
+int follow_options_read(follow_options *options, const follow_texts *texts);
+
+#endif
