@@ -20,7 +20,7 @@ typedef struct {
 
 /* Each ends with a null name. */
 extern const digest_operation digest_image[], digest_fixed[], digest_color[], digest_copy[], digest_draw[],
-    digest_files[], digest_command[], digest_threshold[], digest_follow[];
+    digest_files[], digest_command[], digest_threshold[], digest_hough[], digest_follow[], digest_steer[];
 
 #define DIGEST_ARENA_BYTES 10240
 

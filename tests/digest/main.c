@@ -4,8 +4,8 @@
 #include <string.h>
 
 static const digest_operation *const tables[] = {
-    digest_image, digest_fixed,   digest_color,     digest_copy,   digest_draw,
-    digest_files, digest_command, digest_threshold, digest_follow,
+    digest_image,   digest_fixed,     digest_color, digest_copy,   digest_draw,  digest_files,
+    digest_command, digest_threshold, digest_hough, digest_follow, digest_steer,
 };
 
 static IRIS_SCRATCH_BUFFER(arena, DIGEST_ARENA_BYTES);

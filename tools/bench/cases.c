@@ -4,6 +4,7 @@
 #include "iris/color.h"
 #include "iris/command.h"
 #include "iris/xt/follow.h"
+#include "iris/xt/hough.h"
 #include "iris/xt/regress.h"
 #include "iris/xt/steer.h"
 #include "iris/xt/threshold.h"
@@ -14,7 +15,8 @@
 static IRIS_SCRATCH_BUFFER(gray_bytes, W *H);
 static IRIS_SCRATCH_BUFFER(color_bytes, W *H * 3);
 static IRIS_SCRATCH_BUFFER(mask_bytes, W / 8 * H);
-static IRIS_SCRATCH_BUFFER(working_bytes, 16384);
+#define THETA_BINS 90
+static IRIS_SCRATCH_BUFFER(working_bytes, IRIS_HOUGH_SCRATCH_BYTES(W, H, THETA_BINS));
 static iris_image gray, color, yuyv, mask;
 static iris_scratch scratch;
 static iris_follow follow;
@@ -104,6 +106,16 @@ static void regress_mask(void)
     (void)iris_regress_mask(&line, &mask);
 }
 
+static void hough_lines(void)
+{
+    iris_hough_config config;
+    iris_hough_line lines[4];
+    int32_t count;
+    iris_hough_defaults(&config);
+    config.theta_bins = THETA_BINS;
+    (void)iris_hough_lines(lines, 4, &count, &mask, &config, &scratch);
+}
+
 /* The second frame: the floor is known. */
 static void follower(void)
 {
@@ -133,6 +145,7 @@ const bench_case bench_cases[] = {
     {"threshold, Otsu", W *H, gray_frame, threshold_otsu},
     {"threshold, adaptive 25x25", W *H, gray_frame, threshold_adaptive},
     {"regression over a mask", W *H, mask_frame, regress_mask},
+    {"Hough lines of a mask, 90 angles", W *H, mask_frame, hough_lines},
     {"line follower, gray frame to sentence", W *H, follower, frame_to_sentence},
     {0},
 };

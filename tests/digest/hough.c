@@ -1,0 +1,68 @@
+#include "digest.h"
+
+#include "iris/xt/hough.h"
+#include "iris/xt/threshold.h"
+
+#define W 64
+#define H 48
+
+static void digest_peaks(const iris_hough *hough)
+{
+    iris_hough_line lines[4] = {{0, 0, 0}};
+    int32_t count = 0;
+    digest_number(iris_hough_peaks(lines, 4, &count, hough));
+    digest_number(count);
+    for (int32_t i = 0; i < count && i < 4; i++) {
+        iris_hough_ends ends = {0, 0, 0, 0};
+        digest_number(lines[i].angle);
+        digest_number(lines[i].rho_q16);
+        digest_number(lines[i].votes);
+        digest_number(iris_hough_clip(&ends, &lines[i], (iris_size){W, H}));
+        digest_bytes(&ends, sizeof ends);
+    }
+}
+
+static void transform(const iris_hough_config *config, int32_t rho_bins)
+{
+    iris_hough hough;
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H);
+    iris_image mask = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch =
+        digest_scratch(IRIS_HOUGH_BINS_SCRATCH_BYTES((size_t)rho_bins, (size_t)config->theta_bins));
+    (void)iris_threshold(&mask, &gray, 70, IRIS_SELECT_DARK);
+    digest_number(iris_hough_begin(&hough, (iris_size){W, H}, config, &scratch));
+    for (int32_t y = 0; y < H; y++) {
+        digest_number(iris_hough_vote_row(&hough, iris_image_row(&mask, y), y));
+    }
+    digest_bytes(hough.votes, (size_t)hough.rho_bins * (size_t)config->theta_bins * sizeof hough.votes[0]);
+    digest_peaks(&hough);
+}
+
+static void every_direction(void)
+{
+    iris_hough_config config;
+    iris_hough_defaults(&config);
+    config.theta_bins = 40;
+    config.rho_step = 2;
+    config.min_votes = 15;
+    transform(&config, (int32_t)IRIS_HOUGH_REACH(W, H));
+}
+
+static void bounded(void)
+{
+    iris_hough_config config;
+    iris_hough_defaults(&config);
+    config.angle_min = -8192;
+    config.angle_max = 8192;
+    config.theta_bins = 32;
+    config.rho_min = -30;
+    config.rho_max = 30;
+    config.min_votes = 10;
+    transform(&config, 60);
+}
+
+const digest_operation digest_hough[] = {
+    {"hough.every_direction", every_direction},
+    {"hough.bounded", bounded},
+    {NULL, NULL},
+};
