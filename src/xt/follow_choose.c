@@ -48,12 +48,31 @@ static int goes_on(const iris_follow_chain *near, const iris_follow_chain *far)
     return (across < 0 ? -across : across) * 4 <= along * 7;
 }
 
+/* Does the chain stand out from the floor by 1 / part more than its pixels have to, of what is left? */
+static int stands_out(const iris_follow *follow, const iris_follow_chain *chain, int32_t part)
+{
+    int32_t asked = follow->config.contrast_permil;
+    return contrast_permil(chain) >= asked + (1000 - asked) / part;
+}
+
+static int is_line_like(const iris_follow *follow, const iris_follow_chain *chain)
+{
+    return chain->rows >= 2 && stands_out(follow, chain, 5);
+}
+
+/* Is it long or dark enough to be one of several pieces of a line? The stones of a terrazzo floor are neither. */
+static int is_piece(const iris_follow *follow, const iris_follow_chain *chain)
+{
+    return chain->rows * 6 >= follow->size.h || stands_out(follow, chain, 3);
+}
+
 /* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the farther the
  * gap, the farther to the side it may continue. */
 static int continues(const iris_follow *follow, const iris_follow_chain *near, const iris_follow_chain *far)
 {
     int32_t gap = near->top_y - far->bottom_y;
-    if (far->bottom_y >= near->bottom_y || far->top_y >= near->top_y || gap > follow->size.h / 4) {
+    if (far->bottom_y >= near->bottom_y || far->top_y >= near->top_y || gap > follow->size.h / 4 ||
+        !is_piece(follow, near) || !is_piece(follow, far)) {
         return 0;
     }
     int32_t aside = columns_between(near->top, far->bottom);
@@ -68,12 +87,6 @@ static int32_t score_of(const iris_follow *follow, const iris_follow_chain *chai
 {
     int32_t score = length_of(chain) * contrast_permil(chain);
     return score + score / follow->size.h * chain->bottom_y;
-}
-
-static int is_line_like(const iris_follow *follow, const iris_follow_chain *chain)
-{
-    int32_t needed = follow->config.contrast_permil + (1000 - follow->config.contrast_permil) / 6;
-    return chain->rows >= 2 && contrast_permil(chain) >= needed;
 }
 
 /* Is the whole long enough, thin enough for its length, and without more gaps than line? */
