@@ -34,7 +34,7 @@ WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-l
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE
 INTEGER  := -mgeneral-regs-only
-PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter generic,$(PORT)),$(INTEGER))
+PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
 SANITIZE := $(if $(CHECKED),-fsanitize=$(if $(FUZZER),fuzzer-no-link$(comma))address$(comma)undefined \
               -fno-sanitize-recover=all -fno-omit-frame-pointer -g -DIRIS_CHECKED)
 CFLAGS   ?=
