@@ -9,6 +9,8 @@
 #include "follow_parts.h"
 
 /* Every second row, 1 / 2^n of the difference. */
+enum { GLARE = 8 * 250 }; /* the sum of a block that is so bright teaches nothing */
+
 enum { UP = 1, DOWN = 4, BESIDE = 2, GIVE_IN = 5 };
 
 /* Line pixels are below this. The absolute margin keeps noise out of dark scenes. */
@@ -72,9 +74,14 @@ static void scan(const iris_follow *follow, const uint8_t *gray, int32_t blocks)
  * hill of a third of the highest level is assumed, so that a line that is cut by the side is seen too. */
 static void first_floor(const iris_follow *follow, int32_t blocks)
 {
-    int32_t highest = 0;
+    int32_t highest = 0, total = 0;
     for (int32_t b = 0; b < blocks; b++) {
-        int32_t sum = follow->blocks[b].sum;
+        total += follow->blocks[b].sum;
+    }
+    int32_t most = total / blocks * 5 / 4; /* a hill above that is glare */
+    for (int32_t b = 0; b < blocks; b++) {
+        int32_t sum = follow->blocks[b].sum < most ? follow->blocks[b].sum : most;
+        follow->blocks[b].sum = (uint16_t)sum;
         highest = sum > highest ? sum : highest;
     }
     int32_t beyond = highest * 5 / 16;
@@ -120,6 +127,9 @@ static int32_t learn_clear(const iris_follow *follow, int32_t b, int32_t blocks)
     iris_block8 *block = &follow->blocks[b], *end = &follow->blocks[blocks];
     uint16_t *floor = &follow->floor[b];
     for (; block < end && block->below == 0; block++, floor++) {
+        if (block->sum >= GLARE) {
+            continue;
+        }
         int32_t level = *floor;
         int32_t difference = (block->sum << 5) - level;
         level += difference > 0 ? difference >> UP : difference >> DOWN;

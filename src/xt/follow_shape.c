@@ -87,6 +87,12 @@ static int is_level(const iris_line *line)
     return line->angle > STEEP || line->angle < -STEEP;
 }
 
+/* Fewer rows with the line have no direction of their own. */
+static int32_t least_rows(const iris_follow_shape *s)
+{
+    return s->follow->size.h / 16 > 4 ? s->follow->size.h / 16 : 4;
+}
+
 /* The row between y0 and y1 (y0 > y1) whose center is farthest from their chord, at least `margin` rows from either; -1 when
  * none is farther than *most, which is twice the distance in pixels and becomes that row's. */
 static int32_t farthest_row(const iris_follow_shape *s, int32_t y0, int32_t y1, int32_t margin, int32_t *most)
@@ -110,7 +116,6 @@ static int32_t farthest_row(const iris_follow_shape *s, int32_t y0, int32_t y1, 
 static int32_t split(const iris_follow_shape *s, int32_t *breaks)
 {
     int32_t count = 1;
-    int32_t least_rows = s->follow->size.h / 16 > 4 ? s->follow->size.h / 16 : 4;
     int32_t tolerance = s->width / 2 > 4 ? s->width / 2 : 4;
     breaks[0] = s->bottom;
     breaks[1] = s->upright_top;
@@ -120,7 +125,7 @@ static int32_t split(const iris_follow_shape *s, int32_t *breaks)
     while (count < IRIS_FOLLOW_SEGMENTS_MAX - 1) {
         int32_t at = -1, piece = 0, most = tolerance;
         for (int32_t k = 0; k < count; k++) {
-            int32_t row = farthest_row(s, breaks[k], breaks[k + 1], least_rows, &most);
+            int32_t row = farthest_row(s, breaks[k], breaks[k + 1], least_rows(s), &most);
             at = row >= 0 ? row : at;
             piece = row >= 0 ? k : piece;
         }
@@ -211,7 +216,8 @@ static void describe_upright(iris_follow_result *result, const iris_follow_shape
     for (int32_t k = 0; k < count; k++) {
         iris_line line;
         int32_t y0 = breaks[k], y1 = breaks[k + 1];
-        if (iris_regress_rows(&line, s->twice_x, y1, y0, 2) != IRIS_OK) {
+        if (iris_regress_rows(&line, s->twice_x, y1, y0, 2) != IRIS_OK ||
+            (k == 0 && count > 1 && line.points < least_rows(s))) {
             continue;
         }
         if (is_level(&line)) {
