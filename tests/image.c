@@ -32,12 +32,15 @@ static void wrap_checks_size_and_alignment(void **state)
     assert_int_equal(iris_image_wrap(&image, bytes, 64, (iris_size){4, 3}, 3, IRIS_GRAY8), IRIS_ERR_RANGE);
     assert_int_equal(iris_image_wrap(&image, bytes, 64, (iris_size){0, 3}, 0, IRIS_GRAY8), IRIS_ERR_RANGE);
     assert_int_equal(iris_image_wrap(&image, bytes, 64, (iris_size){4, -1}, 0, IRIS_GRAY8), IRIS_ERR_RANGE);
-    assert_int_equal(iris_image_wrap(&image, bytes + 2, 64, (iris_size){4, 3}, 0, IRIS_MASK1), IRIS_ERR_ALIGN);
+    assert_int_equal(iris_image_wrap(&image, bytes + 2, 64, (iris_size){4, 3}, 0, IRIS_MASK1),
+                     IRIS_ERR_ALIGN);
     assert_int_equal(iris_image_wrap(&image, bytes, 64, (iris_size){4, 3}, 6, IRIS_MASK1), IRIS_ERR_ALIGN);
-    assert_int_equal(iris_image_wrap(&image, bytes + 1, 64, (iris_size){4, 3}, 0, IRIS_GRAY_U16), IRIS_ERR_ALIGN);
+    assert_int_equal(iris_image_wrap(&image, bytes + 1, 64, (iris_size){4, 3}, 0, IRIS_GRAY_U16),
+                     IRIS_ERR_ALIGN);
     assert_int_equal(iris_image_wrap(&image, NULL, 64, (iris_size){4, 3}, 0, IRIS_GRAY8), IRIS_ERR_ARG);
     assert_int_equal(iris_image_wrap(&image, bytes, 64, (iris_size){4, 3}, 0, (iris_format)0), IRIS_ERR_ARG);
-    assert_int_equal(iris_image_wrap(&image, bytes, SIZE_MAX, (iris_size){4, 3}, PTRDIFF_MIN, IRIS_GRAY8), IRIS_ERR_RANGE);
+    assert_int_equal(iris_image_wrap(&image, bytes, SIZE_MAX, (iris_size){4, 3}, PTRDIFF_MIN, IRIS_GRAY8),
+                     IRIS_ERR_RANGE);
 }
 
 static void bottom_up_view_starts_at_the_last_row(void **state)
@@ -45,7 +48,8 @@ static void bottom_up_view_starts_at_the_last_row(void **state)
     (void)state;
     uint8_t bytes[] = {7, 8, 9, 0, 4, 5, 6, 0, 1, 2, 3};
     iris_image image;
-    assert_int_equal(iris_image_wrap(&image, bytes, sizeof bytes, (iris_size){3, 3}, -4, IRIS_GRAY8), IRIS_OK);
+    assert_int_equal(iris_image_wrap(&image, bytes, sizeof bytes, (iris_size){3, 3}, -4, IRIS_GRAY8),
+                     IRIS_OK);
     for (int y = 0; y < 3; y++) {
         const uint8_t *row = iris_image_row(&image, y);
         assert_int_equal(row[0], 3 * y + 1);
@@ -62,7 +66,8 @@ static void crop_is_wholly_inside_or_refused(void **state)
     (void)state;
     static uint32_t words[256];
     iris_image image, part = {0};
-    assert_int_equal(iris_image_wrap(&image, words, sizeof words, (iris_size){16, 16}, 0, IRIS_GRAY8), IRIS_OK);
+    assert_int_equal(iris_image_wrap(&image, words, sizeof words, (iris_size){16, 16}, 0, IRIS_GRAY8),
+                     IRIS_OK);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){0, 0, 17, 1}), IRIS_ERR_RANGE);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){15, 15, 1, 2}), IRIS_ERR_RANGE);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){-1, 0, 4, 4}), IRIS_ERR_RANGE);
@@ -71,12 +76,14 @@ static void crop_is_wholly_inside_or_refused(void **state)
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){15, 15, 1, 1}), IRIS_OK);
     assert_ptr_equal(part.data, (uint8_t *)words + 255);
 
-    assert_int_equal(iris_image_wrap(&image, words, sizeof words, (iris_size){70, 8}, 0, IRIS_MASK1), IRIS_OK);
+    assert_int_equal(iris_image_wrap(&image, words, sizeof words, (iris_size){70, 8}, 0, IRIS_MASK1),
+                     IRIS_OK);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){8, 0, 8, 8}), IRIS_ERR_ALIGN);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){64, 1, 6, 2}), IRIS_OK);
     assert_ptr_equal(part.data, words + 3 + 2);
 
-    assert_int_equal(iris_image_wrap(&image, words, sizeof words, (iris_size){8, 8}, 0, IRIS_BAYER8_RGGB), IRIS_OK);
+    assert_int_equal(iris_image_wrap(&image, words, sizeof words, (iris_size){8, 8}, 0, IRIS_BAYER8_RGGB),
+                     IRIS_OK);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){1, 0, 4, 4}), IRIS_OK);
     assert_int_equal(part.format, IRIS_BAYER8_GRBG);
     assert_int_equal(iris_image_crop(&part, &image, (iris_rect){0, 1, 4, 4}), IRIS_OK);
@@ -90,13 +97,15 @@ static void overlap_sees_columns_of_one_image(void **state)
     (void)state;
     static uint8_t bytes[400];
     iris_image image, a, b;
-    assert_int_equal(iris_image_wrap(&image, bytes, sizeof bytes, (iris_size){20, 20}, 0, IRIS_GRAY8), IRIS_OK);
+    assert_int_equal(iris_image_wrap(&image, bytes, sizeof bytes, (iris_size){20, 20}, 0, IRIS_GRAY8),
+                     IRIS_OK);
     const struct {
         iris_rect a, b;
         int overlap;
     } cases[] = {
-        {{0, 0, 10, 20}, {10, 0, 10, 20}, 0}, {{0, 0, 11, 20}, {10, 0, 10, 20}, 1}, {{5, 3, 4, 4}, {9, 2, 4, 9}, 0},
-        {{5, 3, 4, 4}, {8, 6, 4, 9}, 1},      {{0, 0, 20, 5}, {0, 5, 20, 5}, 0},    {{12, 0, 8, 9}, {0, 1, 12, 3}, 0},
+        {{0, 0, 10, 20}, {10, 0, 10, 20}, 0}, {{0, 0, 11, 20}, {10, 0, 10, 20}, 1},
+        {{5, 3, 4, 4}, {9, 2, 4, 9}, 0},      {{5, 3, 4, 4}, {8, 6, 4, 9}, 1},
+        {{0, 0, 20, 5}, {0, 5, 20, 5}, 0},    {{12, 0, 8, 9}, {0, 1, 12, 3}, 0},
         {{12, 0, 8, 9}, {0, 1, 13, 3}, 1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

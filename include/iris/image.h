@@ -20,25 +20,25 @@ extern "C" {
 #define IRIS_SIDE_MAX 32767
 
 typedef enum {
-    IRIS_GRAY8 = 1,    /* uint8_t, 0 black to 255 white */
-    IRIS_GRAY_S16,     /* int16_t: gradients */
-    IRIS_GRAY_U16,     /* uint16_t: direction, disparity, distance */
-    IRIS_GRAY_U32,     /* uint32_t: integral images */
-    IRIS_MASK1,        /* one bit per pixel in uint32_t words, first pixel in the least significant bit, 1 = selected */
-    IRIS_RGB888,       /* bytes R, G, B */
-    IRIS_BGR888,       /* bytes B, G, R: 24-bit BMP in memory */
-    IRIS_RGBA8888,     /* bytes R, G, B, A */
-    IRIS_RGB565,       /* uint16_t, R in the high 5 bits; little-endian in memory */
-    IRIS_RGB565_SWAP,  /* the same, big-endian in memory, as most small camera modules send it */
-    IRIS_YUYV,         /* bytes Y0 U Y1 V for two pixels; w is even */
-    IRIS_UYVY,         /* bytes U Y0 V Y1 for two pixels; w is even */
-    IRIS_UV88,         /* bytes U, V: the second plane of NV12 */
-    IRIS_BAYER8_RGGB,  /* one byte per pixel behind a color filter; the first two pixels of the first two rows */
+    IRIS_GRAY8 = 1, /* uint8_t, 0 black to 255 white */
+    IRIS_GRAY_S16,  /* int16_t: gradients */
+    IRIS_GRAY_U16,  /* uint16_t: direction, disparity, distance */
+    IRIS_GRAY_U32,  /* uint32_t: integral images */
+    IRIS_MASK1, /* one bit per pixel in uint32_t words, first pixel in the least significant bit, 1 = selected */
+    IRIS_RGB888,      /* bytes R, G, B */
+    IRIS_BGR888,      /* bytes B, G, R: 24-bit BMP in memory */
+    IRIS_RGBA8888,    /* bytes R, G, B, A */
+    IRIS_RGB565,      /* uint16_t, R in the high 5 bits; little-endian in memory */
+    IRIS_RGB565_SWAP, /* the same, big-endian in memory, as most small camera modules send it */
+    IRIS_YUYV,        /* bytes Y0 U Y1 V for two pixels; w is even */
+    IRIS_UYVY,        /* bytes U Y0 V Y1 for two pixels; w is even */
+    IRIS_UV88,        /* bytes U, V: the second plane of NV12 */
+    IRIS_BAYER8_RGGB, /* one byte per pixel behind a color filter; the first two pixels of the first two rows */
     IRIS_BAYER8_GRBG,
     IRIS_BAYER8_GBRG,
     IRIS_BAYER8_BGGR,
-    IRIS_HSL24,        /* bytes H, S, L (compact): see color.h */
-    IRIS_HSL48         /* uint16_t H, S, L (lossless): see color.h */
+    IRIS_HSL24, /* bytes H, S, L (compact): see color.h */
+    IRIS_HSL48  /* uint16_t H, S, L (lossless): see color.h */
 } iris_format;
 
 typedef struct {
@@ -50,9 +50,9 @@ typedef struct {
 } iris_rect;
 
 typedef struct {
-    void       *data;   /* first byte of row 0 */
-    ptrdiff_t   stride; /* BYTES from one row to the next; negative for bottom-up images */
-    int32_t     w, h;   /* pixels, 1 to IRIS_SIDE_MAX */
+    void *data;       /* first byte of row 0 */
+    ptrdiff_t stride; /* BYTES from one row to the next; negative for bottom-up images */
+    int32_t w, h;     /* pixels, 1 to IRIS_SIDE_MAX */
     iris_format format;
 } iris_image;
 

@@ -22,17 +22,17 @@ extern "C" {
 #define IRIS_SCRATCH_ROUND(n) (((size_t)(n) + 15u) / 16u * 16u)
 
 /* A static buffer that may serve as an arena's base: IRIS_SCRATCH_BUFFER(name, bytes); */
-#define IRIS_SCRATCH_BUFFER(name, bytes)                                                                      \
-    union {                                                                                                   \
-        uint8_t  memory[bytes];                                                                               \
-        uint64_t word;                                                                                        \
+#define IRIS_SCRATCH_BUFFER(name, bytes)                                                                     \
+    union {                                                                                                  \
+        uint8_t memory[bytes];                                                                               \
+        uint64_t word;                                                                                       \
     } name __attribute__((aligned(IRIS_SCRATCH_ALIGN)))
 
 typedef struct {
     uint8_t *base;
-    size_t   bytes; /* size of the arena */
-    size_t   used;  /* bytes taken now */
-    size_t   peak;  /* most bytes ever taken: what this arena needed */
+    size_t bytes; /* size of the arena */
+    size_t used;  /* bytes taken now */
+    size_t peak;  /* most bytes ever taken: what this arena needed */
 } iris_scratch;
 
 /* Makes an arena of `bytes` bytes at `base`. base may be null when bytes is 0.
@@ -45,7 +45,7 @@ void *iris_scratch_take(iris_scratch *scratch, size_t bytes);
 
 /* The position to go back to: everything taken after the mark is given back by iris_scratch_release. O(1). */
 size_t iris_scratch_mark(const iris_scratch *scratch);
-void   iris_scratch_release(iris_scratch *scratch, size_t mark);
+void iris_scratch_release(iris_scratch *scratch, size_t mark);
 
 #ifdef __cplusplus
 }

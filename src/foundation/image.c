@@ -140,7 +140,8 @@ iris_status iris_image_crop(iris_image *view, const iris_image *image, iris_rect
     if ((image->format == IRIS_MASK1 && rect.x % 32 != 0) || (in_pairs(image->format) && rect.x % 2 != 0)) {
         return IRIS_ERR_ALIGN;
     }
-    size_t before = image->format == IRIS_MASK1 ? (size_t)rect.x / 8 : (size_t)rect.x * pixel_bytes(image->format);
+    size_t before =
+        image->format == IRIS_MASK1 ? (size_t)rect.x / 8 : (size_t)rect.x * pixel_bytes(image->format);
     iris_image result = *image;
     result.data = (uint8_t *)iris_image_row(image, rect.y) + before;
     result.w = rect.w;
