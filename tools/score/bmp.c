@@ -1,71 +1,15 @@
-/* The score of BMP reading: the files of the conformance suite under IRIS_DATA (default ../shared/data). */
-#include <stdio.h>
+/* BMP reading: the files of the conformance suite. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "iris/bmp.h"
-#include "iris/pnm.h"
-
-typedef struct {
-    iris_image image; /* data is null when nothing could be read; malloc */
-    iris_status status;
-} picture;
-
-static ptrdiff_t read_file(void *user, uint8_t *buffer, size_t bytes)
-{
-    FILE *file = user;
-    size_t count = fread(buffer, 1, bytes, file);
-    return count == 0 && ferror(file) ? -1 : (ptrdiff_t)count;
-}
-
-/* Room for a picture of 64 megapixels at most; data is null otherwise. */
-static iris_image make_image(int32_t w, int32_t h, iris_format format)
-{
-    iris_image image = {0};
-    size_t bytes = iris_format_row_bytes(format, w) * (size_t)h;
-    void *pixels = bytes <= 192u << 20 ? calloc(bytes, 1) : NULL;
-    if (pixels && iris_image_wrap(&image, pixels, bytes, (iris_size){w, h}, 0, format) != IRIS_OK) {
-        free(pixels);
-    }
-    return image;
-}
-
-static picture load(const char *folder, const char *name, const char *extension)
-{
-    const char *root = getenv("IRIS_DATA");
-    char path[512];
-    picture result = {{0}, IRIS_ERR_IO};
-    iris_stream stream;
-    iris_bmp_reader bmp;
-    iris_pnm_reader pnm;
-    snprintf(path, sizeof path, "%s/bmp/%s%s%s", root ? root : "../shared/data", folder, name, extension);
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        return result;
-    }
-    iris_stream_init(&stream, (iris_source){read_file, file});
-    if (*extension) {
-        result.status = iris_pnm_begin(&pnm, &stream);
-        if (result.status == IRIS_OK) {
-            result.image = make_image(pnm.w, pnm.h, pnm.is_gray ? IRIS_GRAY8 : IRIS_RGB888);
-            result.status = iris_pnm_read(&result.image, &pnm);
-        }
-    } else {
-        result.status = iris_bmp_begin(&bmp, &stream);
-        if (result.status == IRIS_OK) {
-            result.image = make_image(bmp.w, bmp.h, IRIS_RGB888);
-            result.status = iris_bmp_read(&result.image, &bmp);
-        }
-    }
-    fclose(file);
-    return result;
-}
+#include "picture.h"
+#include "score.h"
 
 /* Largest difference of a channel where alpha, if there is one, is not 0; 256 for another size. */
 static int difference(const iris_image *a, const iris_image *b, const iris_image *alpha)
 {
     int largest = 0;
-    if (a->w != b->w || a->h != b->h || a->format != b->format) {
+    if (a->w != b->w || a->h != b->h) {
         return 256;
     }
     for (int i = 0; i < 3 * a->w * a->h; i++) {
@@ -78,47 +22,64 @@ static int difference(const iris_image *a, const iris_image *b, const iris_image
 }
 
 /* Within 1 of any reference in a list with commas? */
-static int is_right(const picture *found, char *references)
+static int is_right(const iris_image *found, char *references)
 {
     int right = 0;
-    char *rest = NULL;
-    for (char *name = strtok_r(references, ",", &rest); name && found->status == IRIS_OK && !right;
-         name = strtok_r(NULL, ",", &rest)) {
-        picture reference = load("ref/", name, ".ppm");
-        picture alpha = load("ref/", name, ".alpha.pgm");
-        right = reference.status == IRIS_OK && difference(&found->image, &reference.image, &alpha.image) <= 1;
-        free(reference.image.data);
-        free(alpha.image.data);
+    char *rest = NULL, file[160];
+    for (char *name = strtok_r(references, ",", &rest); name && !right; name = strtok_r(NULL, ",", &rest)) {
+        iris_image reference, alpha;
+        snprintf(file, sizeof file, "bmp/ref/%s.ppm", name);
+        iris_status status = picture_load(&reference, file, IRIS_RGB888);
+        snprintf(file, sizeof file, "bmp/ref/%s.alpha.pgm", name);
+        picture_load(&alpha, file, IRIS_GRAY8);
+        right = status == IRIS_OK && difference(found, &reference, &alpha) <= 1;
+        free(reference.data);
+        free(alpha.data);
     }
     return right;
 }
 
-int main(void)
+enum { RIGHT, REFUSED, OTHER };
+
+/* One line of the manifest: name, tab, references. */
+static void count_file(int counts[3][3], const char *line)
 {
-    enum { RIGHT, REFUSED, OTHER };
+    char name[64], references[128], file[80];
+    if (line[0] == '#' || sscanf(line, "%63[^\t]\t%127[^\t]", name, references) != 2) {
+        return;
+    }
+    iris_image found;
+    snprintf(file, sizeof file, "bmp/%s", name);
+    iris_status status = picture_load(&found, file, IRIS_RGB888);
+    int outcome = !found.data ? REFUSED : status == IRIS_OK && is_right(&found, references) ? RIGHT : OTHER;
+    const char *folders = "gqb", *folder = strchr(folders, name[0]);
+    counts[folder ? folder - folders : 2][outcome]++;
+    free(found.data);
+}
+
+void score_bmp(score *s)
+{
     int counts[3][3] = {{0}};
-    const char *folders = "gqb", *root = getenv("IRIS_DATA");
-    char path[512], line[2048], name[64], references[128];
-    snprintf(path, sizeof path, "%s/bmp/MANIFEST.txt", root ? root : "../shared/data");
-    FILE *manifest = fopen(path, "r");
+    char line[2048];
+    FILE *manifest = data_open("bmp/MANIFEST.txt");
     if (!manifest) {
-        printf("BMP files | skipped, no data\n");
-        return 0;
+        score_row(s, "BMP files", "27 of 27", SCORE_SKIPPED, "no shared data");
+        return;
     }
     while (fgets(line, sizeof line, manifest)) {
-        if (line[0] == '#' || sscanf(line, "%63[^\t]\t%127[^\t]", name, references) != 2) {
-            continue;
-        }
-        picture found = load("", name, "");
-        int outcome = is_right(&found, references) ? RIGHT : found.image.data ? OTHER : REFUSED;
-        counts[strchr(folders, name[0]) - folders][outcome]++;
-        free(found.image.data);
+        count_file(counts, line);
     }
     fclose(manifest);
-    printf("BMP good files | %d of %d within 1\n", counts[0][RIGHT],
-           counts[0][RIGHT] + counts[0][REFUSED] + counts[0][OTHER]);
-    printf("BMP questionable files | %d right, %d refused, %d wrong\n", counts[1][RIGHT], counts[1][REFUSED],
-           counts[1][OTHER]);
-    printf("BMP bad files | %d read as far as they go, %d refused\n", counts[2][OTHER], counts[2][REFUSED]);
-    return counts[0][RIGHT] == 27 && counts[1][OTHER] == 0 ? 0 : 1;
+    score_row(s, "BMP good files within 1 of their reference", "27 of 27",
+              score_if(counts[0][RIGHT] == 27 && counts[0][REFUSED] + counts[0][OTHER] == 0), "%d of %d",
+              counts[0][RIGHT], counts[0][RIGHT] + counts[0][REFUSED] + counts[0][OTHER]);
+    score_row(s, "BMP questionable files", "none wrong", score_if(counts[1][OTHER] == 0),
+              "%d right, %d refused, %d wrong", counts[1][RIGHT], counts[1][REFUSED], counts[1][OTHER]);
+#ifdef IRIS_CHECKED
+    score_row(s, "BMP bad files: sanitizer reports", "0", SCORE_REACHED, "0: %d refused, %d read in part",
+              counts[2][REFUSED], counts[2][OTHER]);
+#else
+    score_row(s, "BMP bad files (sanitizers: make score CHECKED=1)", NULL, SCORE_INFORMATION,
+              "%d refused, %d read in part", counts[2][REFUSED], counts[2][OTHER]);
+#endif
 }

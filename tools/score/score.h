@@ -1,0 +1,35 @@
+/* iris-score: every figure that IRIS promises, measured again, in one table. */
+#ifndef SCORE_SCORE_H
+#define SCORE_SCORE_H
+
+typedef enum { SCORE_MISSED, SCORE_REACHED, SCORE_SKIPPED, SCORE_INFORMATION } score_verdict;
+
+typedef struct {
+    int tap;              /* 1: print TAP instead of a table */
+    const char *figures;  /* folder with what other programs measured; null: none */
+    const char *pictures; /* folder for pictures of what was found; null: none */
+    int reached, missed, skipped;
+} score;
+
+/* The head of the table, a row of it, and the totals. `required` is null for SCORE_INFORMATION; `format`
+ * makes the text of what was reached, or why it was skipped. */
+void score_head(const score *s);
+void score_row(score *s, const char *what, const char *required, score_verdict verdict, const char *format,
+               ...);
+void score_totals(const score *s);
+
+static inline score_verdict score_if(int condition)
+{
+    return condition ? SCORE_REACHED : SCORE_MISSED;
+}
+
+/* The figures, in the table's order; one file each. */
+void score_tape(score *s);
+void score_dashes(score *s);
+void score_lane(score *s);
+void score_drive(score *s);
+void score_hsl(score *s);
+void score_bmp(score *s);
+void score_cost(score *s);
+
+#endif
