@@ -111,6 +111,9 @@ iris_status iris_follow_row(iris_follow *follow, const void *pixels)
     }
     const uint8_t *gray = follow->mark(follow, pixels);
     iris_follow_collect(follow, gray);
+    if (gray) {
+        iris_follow_learn(follow);
+    }
     follow->y++;
     return IRIS_OK;
 }

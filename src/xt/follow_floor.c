@@ -139,8 +139,12 @@ static int32_t learn_clear(const iris_follow *follow, int32_t b, int32_t blocks)
     return (int32_t)(block - follow->blocks);
 }
 
-static void learn(const iris_follow *follow, int32_t blocks)
+void iris_follow_learn(const iris_follow *follow)
 {
+    int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
+    if (follow->y % 2 != 0) {
+        return;
+    }
     for (int32_t b = learn_clear(follow, 0, blocks); b < blocks; b = learn_clear(follow, b, blocks)) {
         int32_t first = b;
         while (b < blocks && follow->blocks[b].below != 0) {
@@ -157,8 +161,5 @@ void iris_follow_mark(iris_follow *follow, const uint8_t *gray)
     if (follow->y == 0) {
         first_floor(follow, blocks);
         scan(follow, gray, blocks);
-    }
-    if (follow->y % 2 == 0) {
-        learn(follow, blocks);
     }
 }

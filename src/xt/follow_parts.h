@@ -43,6 +43,9 @@ static inline int32_t iris_span_width(iris_span span)
 /* follow_floor.c: from pixels to line bits, by brightness against the floor. */
 void iris_follow_mark(iris_follow *follow, const uint8_t *gray);
 
+/* Learns the floor from the blocks of this row that hold no line pixel and are under no run. */
+void iris_follow_learn(const iris_follow *follow);
+
 /* follow_runs.c: from line bits to runs, and from runs to chains. gray is null when lines are told by color. */
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
 

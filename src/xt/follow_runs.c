@@ -137,6 +137,9 @@ static void grow(const iris_follow *follow, iris_span *run, iris_span above, con
     while (run->right < above.right && is_weak(follow, gray, run->right + 1)) {
         run->right++;
     }
+    for (int32_t b = run->left >> 3; b <= run->right >> 3; b++) {
+        follow->blocks[b].below |= 1; /* the floor does not learn from glare on the line */
+    }
 }
 
 static void append(iris_follow *follow, int32_t number, iris_span run, const uint8_t *gray)
