@@ -46,6 +46,14 @@ static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
     return IRIS_OK;
 }
 
+static iris_status fit_by_regression(iris_line *line, const iris_follow *follow, const int16_t *twice_x,
+                                     int32_t y0, int32_t y1)
+{
+    enum { TRIMS = 2 };
+    (void)follow;
+    return iris_regress_rows(line, twice_x, y0, y1, TRIMS);
+}
+
 iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config,
                                 iris_scratch *scratch)
 {
@@ -56,6 +64,7 @@ iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_
         return IRIS_ERR_RANGE;
     }
     follow->config = *config;
+    follow->fit = fit_by_regression;
     follow->size = size;
     follow->y = -1;
     int32_t least = size.w * config->min_width_permil / 1000;

@@ -216,7 +216,7 @@ static void describe_upright(iris_follow_result *result, const iris_follow_shape
     for (int32_t k = 0; k < count; k++) {
         iris_line line;
         int32_t y0 = breaks[k], y1 = breaks[k + 1];
-        if (iris_regress_rows(&line, s->twice_x, y1, y0, 2) != IRIS_OK ||
+        if (s->follow->fit(&line, s->follow, s->twice_x, y1, y0) != IRIS_OK ||
             (k == 0 && count > 1 && line.points < least_rows(s))) {
             continue;
         }

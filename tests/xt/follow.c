@@ -287,6 +287,32 @@ static void lane_is_the_middle_between_two_lines(void **state)
     assert_int_equal(result.state, IRIS_LINE_LOST); /* one line is no lane */
 }
 
+static void hough_estimator_agrees_and_needs_its_memory(void **state)
+{
+    (void)state;
+    static test_follower follower;
+    static IRIS_SCRATCH_BUFFER(votes, IRIS_FOLLOW_HOUGH_BYTES);
+    iris_scratch scratch;
+    for (int lean = -50; lean <= 50; lean += 5) {
+        double x = 80 - lean * 0.9;
+        paint_floor(&picture, 200, 8, 1);
+        paint_tape(&picture, x, lean, 14 / cos(lean * 0.0174533), 0, FLOOR_H - 1);
+        start(&follower, NULL);
+        assert_int_equal(iris_scratch_init(&scratch, votes.memory, sizeof votes.memory - 1), IRIS_OK);
+        assert_int_equal(iris_follow_use_hough(&follower.follow, &scratch), IRIS_ERR_SCRATCH);
+        assert_int_equal(iris_scratch_init(&scratch, votes.memory, sizeof votes.memory), IRIS_OK);
+        assert_int_equal(iris_follow_use_hough(&follower.follow, &scratch), IRIS_OK);
+        assert_int_equal(scratch.peak, sizeof votes.memory);
+        feed(&result, &follower, &picture, 0);
+        assert_int_equal(result.state, IRIS_LINE_FOUND);
+        assert_near(degrees(result.angle), lean, 1);
+        assert_near(fraction(result.offset_q16), (x - 79.5) / 80, 0.02);
+    }
+    iris_follow blank = {.y = -1};
+    assert_int_equal(iris_follow_use_hough(&blank, &scratch), IRIS_ERR_ARG);
+    assert_int_equal(iris_follow_use_hough(NULL, &scratch), IRIS_ERR_ARG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +328,7 @@ int main(void)
         cmocka_unit_test(empty_floors_are_never_found),
         cmocka_unit_test(shadow_is_not_a_line),
         cmocka_unit_test(colored_line_in_every_format),
+        cmocka_unit_test(hough_estimator_agrees_and_needs_its_memory),
         cmocka_unit_test(lane_is_the_middle_between_two_lines),
     };
     return cmocka_run_group_tests_name("follow", tests, NULL, NULL);

@@ -24,6 +24,8 @@
 #include "iris/image.h"
 #include "iris/scratch.h"
 #include "iris/status.h"
+#include "iris/xt/hough.h"
+#include "iris/xt/regress.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -106,6 +108,9 @@ struct iris_follow {
     iris_follow_result last; /* what a stale frame repeats */
     /* Finds a row's line pixels; returns the row as gray, or null when lines are told by color. */
     const uint8_t *(*mark)(iris_follow *follow, const void *pixels);
+    /* Fits a line to the centers of the rows y0 to y1 (twice_x as for iris_regress_rows). */
+    iris_status (*fit)(iris_line *line, const iris_follow *follow, const int16_t *twice_x, int32_t y0,
+                       int32_t y1);
     iris_hsl_range_test color; /* the range, made ready */
     /* in the caller's working memory: */
     uint16_t *floor;                  /* level of the floor per block of 8 columns, 8 fraction bits */
@@ -115,6 +120,7 @@ struct iris_follow {
     struct iris_follow_chain *chains; /* pieces of line, or of anything else that looks like it */
     uint32_t *mask;                   /* this row by color, one bit per column */
     uint8_t *row;                     /* this row as GRAY8 or RGB888 */
+    uint8_t *votes;                   /* of the Hough transform */
 };
 
 /* Sensible values, as given above. Null is ignored. */
@@ -131,6 +137,15 @@ iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_fol
  * with a gray sensor carries no color conversion. IRIS_ERR_FORMAT: rows of a format that cannot be converted. */
 iris_status iris_follow_init_color(iris_follow *follow, iris_size size, const iris_follow_config *config,
                                    iris_scratch *scratch);
+
+/* From now on straight pieces are fitted by a Hough transform (hough.h) instead of the trimmed regression: of the row centers,
+ * within 22 degrees and 16 steps of rho around the untrimmed regression line. It stands more strangers among the rows and costs
+ * more; angles come in steps of a fraction of a degree. Takes IRIS_FOLLOW_HOUGH_BYTES of working memory. It is apart so that
+ * firmware without it does not carry it. IRIS_ERR_ARG: null pointer, or a follower without init; IRIS_ERR_SCRATCH. O(1); each
+ * frame O(32 h) more. */
+#define IRIS_FOLLOW_HOUGH_BINS  32
+#define IRIS_FOLLOW_HOUGH_BYTES IRIS_HOUGH_BINS_SCRATCH_BYTES(IRIS_FOLLOW_HOUGH_BINS, IRIS_FOLLOW_HOUGH_BINS)
+iris_status iris_follow_use_hough(iris_follow *follow, iris_scratch *scratch);
 
 /* A whole frame: begin, every row, end. frame must have the size and format given at init.
  * IRIS_ERR_ARG: null pointer or invalid image; IRIS_ERR_RANGE: another size; IRIS_ERR_FORMAT: another format.
