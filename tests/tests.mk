@@ -56,10 +56,11 @@ UNITY      := $(if $(UNITY_ROOT),-I$(UNITY_ROOT)/src,-Itests/target/unity)
 TARGETINC  := -Itests/target $(UNITY) -DUNITY_INCLUDE_CONFIG_H
 
 TARGET_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/target/*.c))
-START      := $(OUT)/tests/target/startup.o
+START      := $(OUT)/tests/target/startup.o $(OUT)/tests/target/runtime.o
 BOARD      := $(filter-out %/firmware.o $(OUT)/tests/target/test_%,$(TARGET_OBJ))
 FIRMWARE   := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
 .SECONDARY: $(TARGET_OBJ)
+$(OUT)/tests/target/runtime.o: BASE += -fno-tree-loop-distribute-patterns # memcpy is not a loop that calls memcpy
 $(OUT)/firmware.elf: $(OUT)/tests/target/firmware.o $(BOARD) $(LIB)
 	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)

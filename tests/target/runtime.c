@@ -1,0 +1,66 @@
+/* What the compiler calls on a processor without instructions for it: small rather than fast, in place of libgcc's unrolled
+ * division and the C library's copying. The linker keeps what is used. */
+#include <stddef.h>
+#include <stdint.h>
+
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes);
+void *memset(void *to, int value, size_t bytes);
+uint64_t __aeabi_uidivmod(uint32_t a, uint32_t b);
+uint32_t __aeabi_uidiv(uint32_t a, uint32_t b);
+int32_t __aeabi_idiv(int32_t a, int32_t b);
+uint64_t __aeabi_idivmod(int32_t a, int32_t b);
+
+void *memcpy(void *restrict to, const void *restrict from, size_t bytes)
+{
+    uint8_t *at = to;
+    const uint8_t *next = from;
+    while (bytes-- > 0) {
+        *at++ = *next++;
+    }
+    return to;
+}
+
+void *memset(void *to, int value, size_t bytes)
+{
+    uint8_t *at = to;
+    while (bytes-- > 0) {
+        *at++ = (uint8_t)value;
+    }
+    return to;
+}
+
+/* Quotient in the low word, remainder in the high one: one bit of the quotient per round, from the first that can be 1.
+ * What is divided by 0 is its own remainder. */
+uint64_t __aeabi_uidivmod(uint32_t a, uint32_t b)
+{
+    uint32_t quotient = 0, bit = b != 0;
+    while (b < a && b << 1 >> 1 == b && bit != 0) {
+        b <<= 1;
+        bit <<= 1;
+    }
+    for (; bit != 0; bit >>= 1, b >>= 1) {
+        if (a >= b) {
+            a -= b;
+            quotient += bit;
+        }
+    }
+    return (uint64_t)a << 32 | quotient;
+}
+
+uint32_t __aeabi_uidiv(uint32_t a, uint32_t b)
+{
+    return (uint32_t)__aeabi_uidivmod(a, b);
+}
+
+int32_t __aeabi_idiv(int32_t a, int32_t b)
+{
+    uint32_t quotient =
+        __aeabi_uidiv(a < 0 ? 0u - (uint32_t)a : (uint32_t)a, b < 0 ? 0u - (uint32_t)b : (uint32_t)b);
+    return (int32_t)((a ^ b) < 0 ? 0u - quotient : quotient);
+}
+
+uint64_t __aeabi_idivmod(int32_t a, int32_t b)
+{
+    int32_t quotient = __aeabi_idiv(a, b);
+    return (uint64_t)((uint32_t)a - (uint32_t)quotient * (uint32_t)b) << 32 | (uint32_t)quotient;
+}
