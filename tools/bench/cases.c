@@ -126,6 +126,12 @@ static void follower(void)
     (void)iris_follow_frame(&line, &follow, &gray, 0);
 }
 
+static void follower_by_hough(void)
+{
+    follower();
+    (void)iris_follow_use_hough(&follow, &scratch);
+}
+
 static void frame_to_sentence(void)
 {
     iris_follow_result line;
@@ -147,5 +153,6 @@ const bench_case bench_cases[] = {
     {"regression over a mask", W *H, mask_frame, regress_mask},
     {"Hough lines of a mask, 90 angles", W *H, mask_frame, hough_lines},
     {"line follower, gray frame to sentence", W *H, follower, frame_to_sentence},
+    {"the same by Hough transform of row centers", W *H, follower_by_hough, frame_to_sentence},
     {0},
 };
