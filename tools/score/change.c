@@ -34,6 +34,7 @@ const change changes[] = {
     {.name = "shadow 0.5 of a slanted half", .shadow = {0.5, 0.2, 0.8}},
     {.name = "shadow 0.35 of the other slanted half", .shadow = {0.35, 0.8, 0.2}},
     {.name = "shadow 0.5 of a third of the rows", .shade = {0.5, 0.33, 0.67}},
+    {.name = "a dark wall above, 0.15 of the rows", .shade = {0.05, 0, 0.15}},
     {.name = "specks, 1 % of the pixels", .specks = 0.01},
     {.name = "specks, 5 % of the pixels", .specks = 0.05},
 };
