@@ -65,6 +65,7 @@ gray 100 0 > empty.pgm
 awk 'BEGIN { printf "P5 64 48 255\n"; for (y = 0; y < 48; y++) for (x = 0; x < 64; x++)
     printf "%s", ((x >= 18 && x < 22) || (x >= 50 && x < 54)) ? " " : "~" }' > lane.pgm
 "$iris" convert right.pgm -o right.bmp
+"$iris" convert --resize 128x96 --nearest right.pgm -o twice.pgm
 
 # --- the answer ---
 number='(null|-?[0-9]+(\.[0-9]+)?)'
@@ -131,6 +132,13 @@ works "a lane" --json --lane --rows 20 lane.pgm
 near "between 18-21 and 50-53" offset "$(awk 'BEGIN { print (35.5 - 31.5) / 32 }')" 0.02
 grep -q '{"y":20,"left":22,"right":49,"center":35.5}' out; say $? "the lane's rows are the floor between the lines"
 
+works "by regression" --json --estimator regression lean.pgm
+cp out regression
+works "by Hough transform" --json --estimator hough lean.pgm twice.pgm lean.pgm
+near "by Hough transform" angle_deg 26.57 2
+near "by Hough transform, after frames of another size" angle_deg 26.57 2 3
+! head -1 out | cmp -s - regression; say $? "the estimators are not the same"
+
 # --- a sequence ---
 works "a line that goes away" --json right.pgm empty.pgm empty.pgm empty.pgm empty.pgm empty.pgm empty.pgm empty.pgm
 [ "$(states)" = "found stale stale stale stale stale stale lost " ]; say $? "stale for 200 ms at 30 frames per second"
@@ -148,7 +156,6 @@ cp right.pgm frames/2.pgm; cp empty.pgm frames/1.pgm; cp right.bmp frames/3.bmp;
 works "a folder" --json frames
 [ "$(states)" = "lost found found " ] && [ "$(field file 2)" = '"frames/2.pgm"' ] && [ "$(field frame 3)" = 3 ]
 say $? "a folder in the order of its names"
-"$iris" convert --resize 128x96 --nearest right.pgm -o twice.pgm
 works "frames of another size" --json right.pgm twice.pgm red.ppm right.pgm
 [ "$(states)" = "found found found found " ] && well_formed; say $? "frames of another size are answered"
 near "twice as large" offset 0.375 0.02 2
@@ -228,6 +235,9 @@ for wrong in "" red Dark dark, hsl hsl: hsl:1-2 hsl:1-2:3-4 hsl:1-2:3-4:5 hsl:1-
     hsl:0-361:0-100:0-100 hsl:-1-20:0-100:0-100 hsl:0-20:0-101:0-100 hsl:0-20:60-40:0-100 hsl:0-20:0-100:70-30 \
     hsl:a-b:0-100:0-100 hsl:0.5-20:0-100:0-100 hsl:00000000000000000000000000000001-2:3-4:5-6 hsl:0-20:0-100:0-99999999999; do
     refuses "--line '$wrong'" 2 '^iris follow: --line: ' --line "$wrong" right.pgm
+done
+for wrong in "" Hough least-squares; do
+    refuses "--estimator '$wrong'" 2 '^iris follow: --estimator: ' --estimator "$wrong" right.pgm
 done
 for wrong in "" x 1, ,1 1,,2 -1 1,-2 1.5 8191 99999999999 "1 2" "$(seq -s, 2000)"; do
     refuses "--rows '$(echo "$wrong" | cut -c 1-20)'" 2 '^iris follow: --rows: ' --rows "$wrong" right.pgm

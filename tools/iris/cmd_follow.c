@@ -23,6 +23,7 @@ static const char help[] =
     "  --line KIND    dark (default), bright, or hsl:H0-H1:S0-S1:L0-L1: hue in degrees,\n"
     "                 saturation and lightness in percent; 350-10 goes through red\n"
     "  --lane         follow the middle between two lines\n"
+    "  --estimator E  straight parts by regression (default) or hough\n"
     "  --rows Y,...   the rows to report; default: the look-ahead row (a third from the top),\n"
     "                 the middle, and the bottom in JSON, none in the text\n"
     "  --json         one JSON object per frame\n"
@@ -42,7 +43,8 @@ static const char help[] =
 
 /* Where the library works: enough for the largest frame. */
 static IRIS_SCRATCH_BUFFER(memory,
-                           IRIS_FOLLOW_COLOR_SCRATCH_BYTES(IRIS_FOLLOW_SIDE_MAX, IRIS_FOLLOW_SIDE_MAX));
+                           IRIS_FOLLOW_COLOR_SCRATCH_BYTES(IRIS_FOLLOW_SIDE_MAX, IRIS_FOLLOW_SIDE_MAX) +
+                               IRIS_FOLLOW_HOUGH_BYTES);
 
 /* The sequence of frames so far. */
 typedef struct {
@@ -67,6 +69,9 @@ static int change_size(sequence *s, const char *file, iris_size size)
         complain(file, "%dx%d pixels: sides of 8 to %d can be followed", (int)size.w, (int)size.h,
                  IRIS_FOLLOW_SIDE_MAX);
         return EXIT_BAD_DATA;
+    }
+    if (options->hough) {
+        iris_follow_use_hough(&s->follow, &scratch);
     }
     for (int i = 0; i < options->row_count && s->answered == 0; i++) {
         if (options->rows[i] >= size.h) {
@@ -187,13 +192,14 @@ static int run(const follow_options *options, const input_list *inputs)
 int cmd_follow(int argc, char **argv)
 {
     static follow_options options;
-    follow_texts texts = {NULL, NULL, NULL, NULL};
+    follow_texts texts = {NULL, NULL, NULL, NULL, NULL};
     int lane = 0;
-    const args_option known[] = {{"line", 0, NULL, &texts.line},         {"lane", 0, &lane, NULL},
-                                 {"rows", 0, NULL, &texts.rows},         {"json", 0, &options.json, NULL},
-                                 {"stills", 0, &options.stills, NULL},   {"rate", 0, NULL, &texts.rate},
-                                 {"overlay", 0, NULL, &options.overlay}, {"serial", 0, NULL, &options.serial},
-                                 {"baud", 0, NULL, &texts.baud}};
+    const args_option known[] = {
+        {"line", 0, NULL, &texts.line},           {"lane", 0, &lane, NULL},
+        {"estimator", 0, NULL, &texts.estimator}, {"rows", 0, NULL, &texts.rows},
+        {"json", 0, &options.json, NULL},         {"stills", 0, &options.stills, NULL},
+        {"rate", 0, NULL, &texts.rate},           {"overlay", 0, NULL, &options.overlay},
+        {"serial", 0, NULL, &options.serial},     {"baud", 0, NULL, &texts.baud}};
     arguments args = {help, known, sizeof known / sizeof known[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {

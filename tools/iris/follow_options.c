@@ -64,6 +64,16 @@ static int read_line(iris_follow_config *config, const char *text)
     return 1;
 }
 
+static int read_estimator(int *hough, const char *text)
+{
+    *hough = strcmp(text, "hough") == 0;
+    if (!*hough && strcmp(text, "regression") != 0) {
+        complain("--estimator", "regression or hough, not '%s'", text);
+        return 0;
+    }
+    return 1;
+}
+
 static int read_rows(follow_options *options, const char *text)
 {
     int count = 1;
@@ -100,10 +110,12 @@ int follow_options_read(follow_options *options, const follow_texts *texts)
 {
     iris_follow_defaults(&options->line);
     options->line.format = IRIS_RGB888;
+    options->hough = 0;
     options->row_count = 0;
     options->rate = 30;
     options->baud = 115200;
     return (!texts->line || read_line(&options->line, texts->line)) &&
+           (!texts->estimator || read_estimator(&options->hough, texts->estimator)) &&
            (!texts->rows || read_rows(options, texts->rows)) &&
            (!texts->rate || read_number(&options->rate, "--rate", texts->rate, 1, 1000)) &&
            (!texts->baud || read_number(&options->baud, "--baud", texts->baud, 1200, 4000000));

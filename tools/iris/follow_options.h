@@ -13,13 +13,14 @@ typedef struct {
     int32_t rate;                  /* frames per second */
     int32_t baud;
     int json, stills;
+    int hough;           /* 1: straight parts by Hough transform, not by regression */
     const char *overlay; /* folder; null: none */
     const char *serial;  /* device; null: none */
 } follow_options;
 
 /* The options as texts, null where not given. */
 typedef struct {
-    const char *line, *rows, *rate, *baud;
+    const char *line, *estimator, *rows, *rate, *baud;
 } follow_texts;
 
 /* Fills everything of `options` that texts decide; what is not given gets its default. Returns 0 after complaining. */
