@@ -48,8 +48,8 @@ void score_cost(score *s)
                  12);
     score_number(s, "160x120 gray frame to sentence, instructions/pixel, M0", "2-M0", "frame to sentence",
                  20);
-    score_number(s, "Hough transform, instructions/pixel, M4", "1-M4", "Hough", 0);
-    score_number(s, "Hough transform, instructions/pixel, M0", "2-M0", "Hough", 0);
+    score_number(s, "the same by Hough transform, instructions/pixel, M4", "1-M4", "the same by Hough", 0);
+    score_number(s, "the same by Hough transform, instructions/pixel, M0", "2-M0", "the same by Hough", 0);
     score_row(s, "memory for it beyond the frame, bytes", "at most 4096", score_if(all <= 4096),
               "%lu: rows %lu, follower %lu, steering %lu, the rest %lu", (unsigned long)all,
               (unsigned long)frame_memory, (unsigned long)sizeof(iris_follow),
