@@ -1,8 +1,7 @@
 /* IRIS - color: from any camera's pixels to gray, RGB, and HSL, and back.
  *
- * Conversions exist for whole views and for single rows, so that a row can be used as it arrives from the
- * sensor. The two give the same pixels. Report, sections 2.2 (grayscale conversion) and 3.2.2
- * (ColorSpaceConvertor).
+ * Conversions exist for whole views and for single rows, so that a row can be used as it arrives from the sensor. The
+ * two give the same pixels. Report, sections 2.2 (grayscale conversion) and 3.2.2 (ColorSpaceConvertor).
  *
  * What the numbers mean:
  *   RGB565  5 and 6 bits are widened to 8 by repeating their high bits: 0 stays 0 and the largest is 255.
@@ -54,20 +53,19 @@ iris_color iris_color_from_hsl(iris_hsl hsl);
  *   GRAY8             GRAY8, RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, UYVY (by luma), MASK1 (0 and 255)
  *   RGB888, BGR888    the same without MASK1 (gray: all three channels), HSL24, HSL48
  *   HSL24, HSL48      RGB888, BGR888
- * dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are
- * disjoint. IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats;
- * IRIS_ERR_RANGE: sizes differ; IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that
- * is not gray. */
+ * dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are disjoint.
+ * IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats; IRIS_ERR_RANGE: sizes differ;
+ * IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that is not gray. */
 iris_status iris_color_convert(const iris_image *dst, const iris_image *src);
 
-/* Converts one row of n pixels, as iris_color_convert. Rows of HSL48 are aligned to 2 bytes, rows of MASK1
- * to 4. IRIS_ERR_ARG: null pointer; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: n outside 1..IRIS_SIDE_MAX, or odd for
- * YUYV and UYVY; IRIS_ERR_ALIGN; IRIS_ERR_ALIAS: the rows overlap but are not the same. O(n). */
+/* Converts one row of n pixels, as iris_color_convert. Rows of HSL48 are aligned to 2 bytes, rows of MASK1 to 4.
+ * IRIS_ERR_ARG: null pointer; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: n outside 1..IRIS_SIDE_MAX, or odd for YUYV and UYVY;
+ * IRIS_ERR_ALIGN; IRIS_ERR_ALIAS: the rows overlap but are not the same. O(n). */
 iris_status iris_color_row(void *dst, iris_format dst_format, const void *src, iris_format src_format,
                            int32_t n);
 
-/* Gray by the given method, from GRAY8 (copied), RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, UYVY: a whole
- * view, and one row. Errors, aliasing, and cost as above; also IRIS_ERR_ARG for an unknown method. */
+/* Gray by the given method, from GRAY8 (copied), RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, UYVY: a whole view, and one
+ * row. Errors, aliasing, and cost as above; also IRIS_ERR_ARG for an unknown method. */
 iris_status iris_color_gray(const iris_image *dst, const iris_image *src, iris_gray_method method);
 iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_format,
                                 iris_gray_method method, int32_t n);
@@ -76,9 +74,8 @@ iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_f
  * iris_color_gray_row instead of iris_color_row carries no HSL conversion. */
 iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_format, int32_t n);
 
-/* A range of colors. All bounds belong to it. h0 > h1 goes through red: 350 to 10 is 20 degrees wide; 0 and
- * 360 are the same hue, and 0 to 360 is every hue. Grays have hue 0: a lower bound on saturation excludes
- * them. */
+/* A range of colors. All bounds belong to it. h0 > h1 goes through red: 350 to 10 is 20 degrees wide; 0 and 360 are the
+ * same hue, and 0 to 360 is every hue. Grays have hue 0: a lower bound on saturation excludes them. */
 typedef struct {
     int32_t h0, h1; /* degrees, 0..360 */
     int32_t s0, s1; /* percent, 0..100, s0 <= s1 */
@@ -101,15 +98,15 @@ iris_status iris_hsl_range_prepare(iris_hsl_range_test *test, const iris_hsl_ran
 /* 1 when the color is in the range, else 0; exact, not through rounded HSL. test is a prepared one. O(1). */
 int iris_hsl_range_has(const iris_hsl_range_test *test, iris_color color);
 
-/* The same for n pixels of a row of RGB888: bit i of mask = rgb pixel i is in the range. Bits past n are
- * kept. IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: n outside 1..IRIS_SIDE_MAX; IRIS_ERR_ALIGN: mask;
- * IRIS_ERR_ALIAS: the rows overlap. O(n). */
+/* The same for n pixels of a row of RGB888: bit i of mask = rgb pixel i is in the range. Bits past n are kept.
+ * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: n outside 1..IRIS_SIDE_MAX; IRIS_ERR_ALIGN: mask; IRIS_ERR_ALIAS: the
+ * rows overlap. O(n). */
 iris_status iris_hsl_range_row(uint32_t *mask, const uint8_t *rgb, int32_t n,
                                const iris_hsl_range_test *test);
 
 /* A whole view: mask (IRIS_MASK1) from src in any format that iris_color_rgb_row takes.
- * IRIS_ERR_ARG: null pointer, invalid view, or a bound of the range; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: sizes
- * differ; IRIS_ERR_ALIAS: the views overlap. O(w h). */
+ * IRIS_ERR_ARG: null pointer, invalid view, or a bound of the range; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: sizes differ;
+ * IRIS_ERR_ALIAS: the views overlap. O(w h). */
 iris_status iris_hsl_range_mask(const iris_image *mask, const iris_image *src, const iris_hsl_range *range);
 
 #ifdef __cplusplus

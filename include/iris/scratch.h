@@ -39,8 +39,8 @@ typedef struct {
  * IRIS_ERR_ARG: scratch is null, or base is null with bytes > 0; IRIS_ERR_ALIGN: base is not 16-byte aligned. O(1). */
 iris_status iris_scratch_init(iris_scratch *scratch, void *base, size_t bytes);
 
-/* Takes a block of `bytes` bytes, aligned to IRIS_SCRATCH_ALIGN, contents undefined. Null when it does not fit
- * (or scratch is null). A block of 0 bytes takes nothing and is not null. O(1). */
+/* Takes a block of `bytes` bytes, aligned to IRIS_SCRATCH_ALIGN, contents undefined. Null when it does not fit (or
+ * scratch is null). A block of 0 bytes takes nothing and is not null. O(1). */
 void *iris_scratch_take(iris_scratch *scratch, size_t bytes);
 
 /* The position to go back to: everything taken after the mark is given back by iris_scratch_release. O(1). */

@@ -43,12 +43,10 @@ typedef struct {
 } iris_serial;
 
 /* Opens the port at `path` (kept, not copied: it must outlive *serial) and claims it for this program.
- *
- * - baud: 1200, 1800, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000, 576000, 921600,
- *   1000000, 1152000, 1500000, 2000000, 2500000, 3000000, 3500000, or 4000000.
- * - reconnect_ms: least time between two attempts to open a lost port, 0..60000.
- * - now_ms: any clock of the caller's that counts milliseconds, here and below; may wrap.
- *
+ *   baud          1200, 1800, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000, 576000, 921600,
+ *                 1000000, 1152000, 1500000, 2000000, 2500000, 3000000, 3500000, or 4000000
+ *   reconnect_ms  the least time between two attempts to open a lost port, 0..60000
+ *   now_ms        any clock of the caller's that counts milliseconds, here and below; may wrap
  * IRIS_ERR_ARG: null pointer, or a value outside these lists; IRIS_ERR_IO: not opened, and iris_serial_error
  * says why; *serial is ready, and the calls below go on trying: a program may start before its port is there.
  * O(1). */
