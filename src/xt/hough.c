@@ -193,7 +193,7 @@ static int is_peak(const iris_hough *hough, int32_t theta, int32_t rho)
         for (int32_t r = -far; r <= far; r++) {
             int32_t there = bin_index(hough, theta + t, rho + r);
             if (there >= 0 && (hough->votes[there] > hough->votes[here] ||
-                               (hough->votes[there] == hough->votes[here] && there < here))) {
+                               (there < here && hough->votes[there] == hough->votes[here]))) {
                 return 0;
             }
         }
@@ -206,12 +206,12 @@ static int is_peak(const iris_hough *hough, int32_t theta, int32_t rho)
 static iris_hough_line line_at(const iris_hough *hough, int32_t theta, int32_t rho)
 {
     int32_t votes = hough->votes[theta * hough->rho_bins + rho];
-    int32_t sum = 0, theta_sum = 0, rho_sum = 0;
+    int32_t sum = votes - votes / 2, theta_sum = 0, rho_sum = 0; /* of the peak itself: above 0 */
     for (int32_t t = -1; t <= 1; t++) {
         for (int32_t r = -1; r <= 1; r++) {
             int32_t there = bin_index(hough, theta + t, rho + r);
             int32_t weight = there < 0 ? 0 : hough->votes[there] - votes / 2;
-            if (weight > 0) {
+            if (weight > 0 && (t != 0 || r != 0)) {
                 sum += weight;
                 theta_sum += t * weight;
                 rho_sum += r * weight;
