@@ -54,7 +54,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
         gray ? IRIS_FOLLOW_SCRATCH_BYTES(size.w, size.h) : IRIS_FOLLOW_COLOR_SCRATCH_BYTES(size.w, size.h);
     void *memory = malloc(room_for); /* malloc's alignment is enough, and its end is watched */
     iris_scratch_init(&scratch, memory, room_for);
-    if ((gray ? iris_follow_init : iris_follow_init_color)(&follow, size, &config, &scratch) != IRIS_OK) {
+    iris_status status = gray ? iris_follow_init(&follow, size, &config, &scratch)
+                              : iris_follow_init_color(&follow, size, &config, &scratch);
+    if (status != IRIS_OK) {
         free(memory);
         return 0;
     }

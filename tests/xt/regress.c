@@ -366,7 +366,7 @@ static void rows_with_strangers(void **state)
  * near the limit to be sure. */
 static int trim_in_doubles(cloud *kept, const cloud *all, truth line)
 {
-    double c = cos(line.degrees * PI / 180), s = sin(line.degrees * PI / 180), distance[60], sum = 0;
+    double c = cos(line.degrees * PI / 180), s = sin(line.degrees * PI / 180), distance[60] = {0}, sum = 0;
     for (int32_t i = 0; i < all->count; i++) {
         distance[i] = fabs((all->x[i] - line.x) * c + (all->y[i] - line.y) * s);
         sum += distance[i];

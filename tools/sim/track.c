@@ -5,7 +5,7 @@
 
 #define PI 3.14159265358979323846
 
-enum { FIT = -1 }; /* a straight whose length closes the course */
+enum { FIT_EAST = -1, FIT_SOUTH = -2 }; /* straights whose lengths close the course, by where they lead */
 
 /* One step of the course. A straight has turn 0; an arc has a radius; a turn without radius is a sharp
  * corner. */
@@ -17,26 +17,37 @@ typedef struct {
 } step;
 
 static const step COURSE[] = {
-    {FIT, 0, 0, 1},  /* 0: east, along the bottom; the glare lies here */
-    {0, 35, 90, 1},  /* to the north */
-    {26, 0, 0, 1},   /* 2 */
-    {5, 0, 0, 0},    /* the gap */
-    {34, 0, 0, 1},   /* 4 */
-    {0, 25, 180, 1}, /* the hairpin, tightest radius */
-    {22, 0, 0, 1},   /* 6: to the south */
-    {0, 30, -90, 1}, /* to the west */
-    {0, 45, -45, 1}, /* an S */
-    {0, 45, 45, 1},  /* 9 */
-    {62, 0, 0, 1},   /* 10: to the west */
-    {0, 0, 90, 1},   /* the sharp corner, to the south */
-    {FIT, 0, 0, 1},  /* 12 */
-    {0, 25, 90, 1},  /* to the east again */
+    {FIT_EAST, 0, 0, 1},  /* 0: along the bottom; the glare lies here */
+    {0, 35, 90, 1},       /* to the north */
+    {26, 0, 0, 1},        /* 2 */
+    {5, 0, 0, 0},         /* the gap */
+    {34, 0, 0, 1},        /* 4 */
+    {0, 25, 180, 1},      /* the hairpin, tightest radius */
+    {22, 0, 0, 1},        /* 6: to the south */
+    {0, 30, -90, 1},      /* to the west */
+    {0, 45, -45, 1},      /* an S */
+    {0, 45, 45, 1},       /* 9 */
+    {62, 0, 0, 1},        /* 10: to the west */
+    {0, 0, 90, 1},        /* the sharp corner, to the south */
+    {FIT_SOUTH, 0, 0, 1}, /* 12 */
+    {0, 25, 90, 1},       /* to the east again */
 };
 
 enum { STEPS = sizeof COURSE / sizeof COURSE[0] };
 
-static double step_length(const step *st)
+/* Lengths of the two straights that close the course. */
+typedef struct {
+    double east, south;
+} fitted;
+
+static double step_length(const step *st, fitted fit)
 {
+    if (st->length == FIT_EAST) {
+        return fit.east;
+    }
+    if (st->length == FIT_SOUTH) {
+        return fit.south;
+    }
     return st->turn != 0 ? st->radius * fabs(st->turn) * PI / 180 : st->length;
 }
 
@@ -54,17 +65,15 @@ static sim_pose advance(sim_pose from, double curvature, double way)
     return to;
 }
 
-/* Lays the steps; straights to be fitted get their length from `fit`, in order. */
-static sim_pose lay(sim_track *track, const double fit[2])
+static sim_pose lay(sim_track *track, fitted fit)
 {
     sim_pose pose = {0, 0, 0};
-    int fitted = 0;
     double behind = 0;
     track->count = 0;
     track->length = 0;
     for (int i = 0; i < STEPS; i++) {
         const step *st = &COURSE[i];
-        double length = st->length == FIT ? fit[fitted++] : step_length(st);
+        double length = step_length(st, fit);
         double turn = st->turn * PI / 180;
         if (length == 0) { /* sharp corner: both pieces run on to the tape's far edge */
             track->piece[track->count - 1].behind = track->tape / 2;
@@ -98,13 +107,13 @@ static void measure_floor(sim_track *track)
 void sim_track_build(sim_track *track)
 {
     track->tape = 3;
-    double fit[2] = {1, 1};
+    fitted fit = {1, 1};
     sim_pose end = lay(track, fit);
-    fit[0] -= end.x; /* the first fitted straight runs east, the second south */
-    fit[1] += end.y;
+    fit.east -= end.x;
+    fit.south += end.y;
     lay(track, fit);
     measure_floor(track);
-    track->glare_s = 0.55 * fit[0];
+    track->glare_s = 0.55 * fit.east;
     track->glare_length = 8;
     const sim_piece *p = track->piece;
     const sim_mark marks[SIM_MARKS] = {
