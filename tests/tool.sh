@@ -89,6 +89,12 @@ cp gray.pgm "$odd"
 works "an odd file name" info --json "$odd"
 [ "$(cut -d, -f1 out)" = "$(printf '{"file":"a\\"b\\\\c\\u0009d\\ufffde\303\244.pgm"')" ]; say $? "an odd file name is good JSON"
 rm "$odd"
+refuses "a line break in a value" 2 "^iris gray: --method: .*'a\?b'\$" gray --method "$(printf 'a\nb')" gray.pgm
+broken=$(printf 'a\n\033[7m.pgm')
+cp gray.pgm "$broken"
+works "a line break in the name of a picture" info "$broken"
+[ "$(cut -d: -f1 out)" = 'a??[7m.pgm' ]; say $? "an odd file name stays on its line"
+rm "$broken"
 refuses "a line break in a name" 1 '^iris info: a\?b.pgm: No such file' info "$(printf 'a\nb.pgm')"
 cat gray.pgm color.bmp color.ppm gray.pgm | "$iris" info - > out 2> err
 [ $? -eq 0 ] && [ "$(cut -d' ' -f2,3 out | tr '\n' ' ')" = "PGM 4x2, BMP 2x2, PPM 2x1, PGM 4x2, " ]

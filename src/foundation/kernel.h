@@ -57,7 +57,7 @@ void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int3
 #define iris_row_above_u8 iris_row_above_u8_c
 #endif
 
-/* Sets sum and below of each block of 8 pixels. A last block of fewer pixels counts only those; its higher bits are 0. */
+/* Sets sum and below of each block of 8 pixels. A last block of fewer counts only those; its higher bits are 0. */
 void iris_row_scan8_u8_c(iris_block8 *block, const uint8_t *src, int32_t n);
 #ifndef iris_row_scan8_u8
 #define iris_row_scan8_u8 iris_row_scan8_u8_c

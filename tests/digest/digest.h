@@ -34,8 +34,8 @@ iris_scratch digest_scratch(size_t bytes);
 iris_image digest_canvas(iris_format format, int32_t w, int32_t h);
 iris_image digest_picture(iris_format format, int32_t w, int32_t h);
 
-/* The next number of a fixed sequence, 0 to 2^24 - 1, the same in every run of an operation. Once per statement: compilers
- * choose the order of two calls in one. */
+/* The next number of a fixed sequence, 0 to 2^24 - 1, the same in every run of an operation. Once per statement:
+ * compilers choose the order of two calls in one. */
 uint32_t digest_random(void);
 int32_t digest_between(int32_t low, int32_t high);
 

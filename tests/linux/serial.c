@@ -36,7 +36,7 @@ ssize_t write(int handle, const void *bytes, size_t count)
     return syscall(SYS_write, handle, bytes, count);
 }
 
-/* NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name) */
+/* NOLINTNEXTLINE(readability-inconsistent-declaration-parameter-name): as above, the system's are reserved names */
 int ioctl(int handle, unsigned long request, ...)
 {
     va_list arguments;

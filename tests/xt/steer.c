@@ -1,4 +1,4 @@
-/* Steering: signs, sizes, limits, bends, and what happens when the line is lost. Expected values are worked out by hand. */
+/* Steering: signs, sizes, limits, bends, and what happens when the line is lost. Values are worked out by hand. */
 #include "iris/xt/steer.h"
 #include "test.h"
 

@@ -1,4 +1,4 @@
-/* Runs every case once between two marker instructions (icnt.c) and prints `pixels name`, in the order of the counts. */
+/* Runs every case once between two marker instructions (icnt.c) and prints `pixels name`, ordered by the counts. */
 #include "bench.h"
 
 #if defined(__aarch64__)

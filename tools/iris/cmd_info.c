@@ -7,6 +7,7 @@
 #include "frame_reader.h"
 #include "inputs.h"
 #include "json.h"
+#include "one_line.h"
 #include "progress.h"
 
 static const char help[] =
@@ -49,8 +50,9 @@ static void print_json(const frame_reader *reader, const char *file)
 
 static void print_text(const frame_reader *reader, const char *file)
 {
-    printf("%s: %s %dx%d, %d bit%s, %s, %s, %s\n", file, reader->format, (int)reader->size.w,
-           (int)reader->size.h, reader->bits, reader->bits == 1 ? "" : "s", kind(reader), reader->coding,
+    one_line(stdout, file);
+    printf(": %s %dx%d, %d bit%s, %s, %s, %s\n", reader->format, (int)reader->size.w, (int)reader->size.h,
+           reader->bits, reader->bits == 1 ? "" : "s", kind(reader), reader->coding,
            reader->top_down ? "top-down" : "bottom-up");
     fflush(stdout);
 }
@@ -67,7 +69,7 @@ static int info(const char *file, int json)
             progress_clear();
             (json ? print_json : print_text)(&reader, file);
         }
-    } while (status == IRIS_OK && strcmp(file, "-") == 0);
+    } while (status == IRIS_OK && strcmp(file, "-") == 0 && !ferror(stdout));
     frame_reader_close(&reader);
     if (status != IRIS_OK && !(status == IRIS_ERR_END && reader.frames > 0)) {
         complain(file, "%s", frame_reader_problem(&reader));
@@ -91,7 +93,7 @@ int cmd_info(int argc, char **argv)
     }
     input_list inputs;
     exit_code = inputs_expand(&inputs, args.operand_count, args.operands);
-    for (int i = 0; i < inputs.count; i++) {
+    for (int i = 0; i < inputs.count && !ferror(stdout); i++) {
         progress_show(argv[0], i + 1, inputs.count, inputs.paths[i]);
         if (info(inputs.paths[i], json) != EXIT_DONE) {
             exit_code = EXIT_BAD_DATA;

@@ -1,4 +1,4 @@
-/* The commands. argv[0] is the command's name; each returns an exit code and has complained when it is not EXIT_DONE. */
+/* The commands. argv[0] is the command's name; each returns an exit code and has complained unless it is EXIT_DONE. */
 #ifndef IRIS_TOOL_COMMANDS_H
 #define IRIS_TOOL_COMMANDS_H
 

@@ -83,8 +83,8 @@ static size_t format_stop(char sentence[IRIS_COMMAND_SENTENCE_BYTES])
     return length;
 }
 
-/* The robot would go on with its last command: what waits is thrown away, and it is told to stop. Then the signal does what
- * it does to every program. Calls nothing that a signal must not. */
+/* The robot would go on with its last command: what waits is thrown away, and it is told to stop. Then the signal does
+ * what it does to every program. Calls nothing that a signal must not. */
 static void stop_by_signal(int number)
 {
     char sentence[IRIS_COMMAND_SENTENCE_BYTES];

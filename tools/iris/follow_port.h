@@ -17,7 +17,7 @@ void follow_port_send(const iris_command *command);
 /* Waits until `ms` milliseconds after opening, while what waits is sent. */
 void follow_port_wait(int64_t ms);
 
-/* Sends the command to stop, waits for it to leave (half a second at most), and closes the port. Returns an exit code. */
+/* Sends the command to stop, waits at most half a second until it has left, closes the port. Returns an exit code. */
 int follow_port_stop(void);
 
 #endif

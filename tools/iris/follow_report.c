@@ -1,8 +1,10 @@
 #include "follow_report.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "json.h"
+#include "one_line.h"
 
 const char *follow_state_name(iris_line_state state)
 {
@@ -125,8 +127,10 @@ static void print_rows(const follow_answer *answer, const follow_options *option
 static void print_text(const follow_answer *answer, const follow_options *options, int name_width)
 {
     const iris_follow_result *line = &answer->line;
-    printf("%5lld %-*s  %-5s", (long long)answer->frame, name_width, answer->file,
-           follow_state_name(line->state));
+    int padding = name_width - (int)strlen(answer->file);
+    printf("%5lld ", (long long)answer->frame);
+    one_line(stdout, answer->file);
+    printf("%*s  %-5s", padding > 0 ? padding : 0, "", follow_state_name(line->state));
     if (line->state == IRIS_LINE_LOST) {
         printf("  angle     -  next     -  offset     -  ahead     -  width    -  confidence    -");
     } else {

@@ -21,8 +21,8 @@ picture_container picture_container_of(const char *path);
 /* The extension that fits an image in a container, for example ".ppm". */
 const char *picture_extension(picture_container container, iris_format format);
 
-/* Writes an IRIS_GRAY8, IRIS_MASK1, IRIS_RGB888, or IRIS_BGR888 image; "-" is standard output. Complains; returns 1 when
- * done, 0 when not: no new file is left then, and one that was there is as it was. */
+/* Writes an IRIS_GRAY8, IRIS_MASK1, IRIS_RGB888, or IRIS_BGR888 image; "-" is standard output. Complains; returns 1
+ * when done, 0 when not: no new file is left then, and one that was there is as it was. */
 int picture_write(const char *path, const iris_image *image);
 
 #endif

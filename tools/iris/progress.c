@@ -5,6 +5,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "one_line.h"
+
 #define PERIOD_MS 100
 
 static int shown;
@@ -27,7 +29,10 @@ void progress_show(const char *command, int part, int parts, const char *name)
         return;
     }
     last_ms = now;
-    fprintf(stderr, "\r\033[K%s %d/%d %.60s", command, part, parts, name);
+    char start[61];
+    snprintf(start, sizeof start, "%s", name);
+    fprintf(stderr, "\r\033[K%s %d/%d ", command, part, parts);
+    one_line(stderr, start);
     fflush(stderr);
     shown = 1;
 }

@@ -1,4 +1,4 @@
-/* What a drive looked like: the course from above with the driven path, and camera frames with what was found in them. */
+/* What a drive looked like: the course from above with the driven path, and camera frames with what was found. */
 #ifndef SIM_PICTURE_H
 #define SIM_PICTURE_H
 
@@ -6,7 +6,7 @@
 #include "iris/draw.h"
 #include "iris/image.h"
 
-/* A picture of w x h pixels filled with `color`; data is null when memory is short. Given back with free(image.data). */
+/* A picture of w x h pixels filled with `color`; data is null when memory is short. Give it back with free(data). */
 iris_image sim_picture_make(int32_t w, int32_t h, iris_color color);
 
 /* Writes a BMP; 0 when it cannot. */

@@ -1,7 +1,7 @@
 /* A robot with two driven wheels.
  *
- * Its reference point is the middle of the axle. A command's speed is the speed of the middle, its steering the share that
- * the wheels differ by: the inner wheel of full steering stands still, so that the robot turns around that wheel.
+ * Its reference point is the middle of the axle. A command's speed is the speed of the middle, its steering the share
+ * that the wheels differ by: the inner wheel of full steering stands still, so that the robot turns around that wheel.
  */
 #ifndef SIM_ROBOT_H
 #define SIM_ROBOT_H

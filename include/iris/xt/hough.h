@@ -28,9 +28,9 @@ extern "C" {
 #define IRIS_HOUGH_RHO_STEP_MAX   64
 #define IRIS_HOUGH_SEPARATION_MAX 255
 
-/* theta bin k stands for angle_min + k * span / theta_bins, where span is what lies between the bounds; angle_max is not
- * a bin itself. angle_max below angle_min: through the level lines (60 to -60 degrees is 60 to 120). Both the same, or
- * -90 and 90 degrees: every direction.
+/* theta bin k stands for angle_min + k * span / theta_bins, where span is what lies between the bounds; angle_max is
+ * not a bin itself. angle_max below angle_min: through the level lines (60 to -60 degrees is 60 to 120). Both the same,
+ * or -90 and 90 degrees: every direction.
  * rho bin i holds rho_min + i * rho_step up to below rho_min + (i + 1) * rho_step.
  * Of two lines that are not farther apart than both separations, only the better counts. */
 typedef struct {

@@ -1,8 +1,8 @@
 /* Colors against a range of hue, saturation, and lightness, 16 pixels at a time.
  *
- * The plain body compares 60 hue / C with h0 and h1. Here the hue is one of four pieces, each a base angle (0, 120, 240,
- * or 360 degrees) and a signed rest d / C within -1 to 1 of 60 degrees: 60 d >= (h0 - base) C, where a bound outside
- * -60..60 acts as -61 or 61. All factors then fit a signed byte and all sums of two products a signed word. */
+ * The plain body compares 60 hue / C with h0 and h1. Here the hue is one of four pieces, each a base angle (0, 120,
+ * 240, or 360 degrees) and a signed rest d / C within -1 to 1 of 60 degrees: 60 d >= (h0 - base) C, where a bound
+ * outside -60..60 acts as -61 or 61. All factors then fit a signed byte and all sums of two products a signed word. */
 #include "vector.h"
 
 typedef struct {

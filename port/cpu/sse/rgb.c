@@ -2,7 +2,7 @@
 #include "vector.h"
 
 /* Four pixels give eight products: the first channel and a part of the green one, the other part and the last channel.
- * Green's factor 150 is cut in two because factors are signed bytes and each sum of two products must stay below 2^15. */
+ * Green's factor 150 is cut in two because factors are signed bytes and sums of two products must stay below 2^15. */
 static inline __m128i half_sums(const uint8_t *bytes, __m128i order, __m128i factors)
 {
     return _mm_maddubs_epi16(_mm_shuffle_epi8(load16(bytes), order), factors);
