@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "one_line.h"
 #include "progress.h"
 
 static const char *current;
@@ -14,19 +15,19 @@ void complain_as(const char *command)
 
 void complain(const char *subject, const char *format, ...)
 {
+    char text[1024]; /* the rest of what is longer says nothing new */
     va_list list;
     va_start(list, format);
+    /* clang-tidy 14 forgets va_start among several files. NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized) */
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
     progress_clear();
     fflush(stdout); /* in the order things happened, where both go to the same place */
     fprintf(stderr, "iris%s%s: ", current ? " " : "", current ? current : "");
     if (subject) {
-        for (const char *at = subject; *at != '\0'; at++) { /* a name with a line break stays on its line */
-            fputc((unsigned char)*at < ' ' ? '?' : *at, stderr);
-        }
+        one_line(stderr, subject);
         fputs(": ", stderr);
     }
-    /* clang-tidy 14 forgets va_start when it reads several files. NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized) */
-    vfprintf(stderr, format, list);
-    va_end(list);
+    one_line(stderr, text);
     fputc('\n', stderr);
 }
