@@ -1,10 +1,6 @@
 /* The rows of a BMP, and its end. */
 #include "bmp_reader.h"
-
-static int is_output(iris_format format)
-{
-    return format == IRIS_GRAY8 || format == IRIS_RGB888 || format == IRIS_BGR888;
-}
+#include "picture_read.h"
 
 static size_t pixel_row_bytes(const iris_bmp_reader *reader)
 {
@@ -56,7 +52,7 @@ iris_status iris_bmp_row(void *row, int32_t *y, iris_bmp_reader *reader, iris_fo
     if (!row || !reader || !reader->stream) {
         return IRIS_ERR_ARG;
     }
-    if (!is_output(format)) {
+    if (!iris_picture_gives(format)) {
         return IRIS_ERR_FORMAT;
     }
     iris_bmp_row_out out = {(uint8_t *)row, format};
@@ -127,16 +123,7 @@ iris_status iris_bmp_read(const iris_image *image, iris_bmp_reader *reader)
     if (reader->status != IRIS_OK) {
         return reader->status;
     }
-    iris_status status = iris_image_check(image);
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (!is_output(image->format)) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (image->w != reader->w || image->h != reader->h) {
-        return IRIS_ERR_RANGE;
-    }
+    iris_status status = iris_picture_fits(image, reader->w, reader->h);
     while (status == IRIS_OK && reader->next < reader->h) {
         int32_t y = reader->top_down ? reader->next : reader->h - 1 - reader->next;
         status = iris_bmp_row(iris_image_row(image, y), &y, reader, image->format);

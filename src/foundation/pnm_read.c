@@ -1,5 +1,6 @@
 #include "iris/pnm.h"
 #include "kernel.h"
+#include "picture_read.h"
 
 #include <string.h>
 
@@ -92,11 +93,6 @@ iris_status iris_pnm_begin(iris_pnm_reader *reader, iris_stream *stream)
     return reader->status;
 }
 
-static int is_output(iris_format format)
-{
-    return format == IRIS_GRAY8 || format == IRIS_RGB888 || format == IRIS_BGR888;
-}
-
 /* n gray pixels to gray or color. */
 static void put_gray(uint8_t *dst, iris_format format, const uint8_t *gray, int32_t n)
 {
@@ -147,7 +143,7 @@ iris_status iris_pnm_row(void *row, int32_t *y, iris_pnm_reader *reader, iris_fo
     if (!row || !reader || !reader->stream) {
         return IRIS_ERR_ARG;
     }
-    if (!is_output(format)) {
+    if (!iris_picture_gives(format)) {
         return IRIS_ERR_FORMAT;
     }
     if (reader->status != IRIS_OK) {
@@ -188,16 +184,7 @@ iris_status iris_pnm_read(const iris_image *image, iris_pnm_reader *reader)
     if (reader->status != IRIS_OK) {
         return reader->status;
     }
-    iris_status status = iris_image_check(image);
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (!is_output(image->format)) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (image->w != reader->w || image->h != reader->h) {
-        return IRIS_ERR_RANGE;
-    }
+    iris_status status = iris_picture_fits(image, reader->w, reader->h);
     while (status == IRIS_OK && reader->next < reader->h) {
         status = iris_pnm_row(iris_image_row(image, reader->next), 0, reader, image->format);
     }
