@@ -29,6 +29,16 @@ static double hue_error(double a, double b, double turn)
     return fmin(error, turn - error);
 }
 
+/* The 256 colors of one red and green, rg = 256 red + green. */
+static void all_blues(uint8_t rgb[256 * 3], int rg)
+{
+    for (int b = 0; b < 256; b++) {
+        rgb[3 * b] = (uint8_t)(rg >> 8);
+        rgb[3 * b + 1] = (uint8_t)rg;
+        rgb[3 * b + 2] = (uint8_t)b;
+    }
+}
+
 static void every_color_comes_back_from_hsl48(void **state)
 {
     (void)state;
@@ -37,11 +47,7 @@ static void every_color_comes_back_from_hsl48(void **state)
     uint32_t wrong = 0;
     double worst_h = 0, worst_s = 0, worst_l = 0;
     for (int rg = 0; rg < 65536; rg++) {
-        for (int b = 0; b < 256; b++) {
-            rgb[3 * b] = (uint8_t)(rg >> 8);
-            rgb[3 * b + 1] = (uint8_t)rg;
-            rgb[3 * b + 2] = (uint8_t)b;
-        }
+        all_blues(rgb, rg);
         assert_int_equal(iris_color_row(hsl, IRIS_HSL48, rgb, IRIS_RGB888, 256), IRIS_OK);
         assert_int_equal(iris_color_row(back, IRIS_RGB888, hsl, IRIS_HSL48, 256), IRIS_OK);
         wrong += memcmp(rgb, back, sizeof rgb) != 0;
@@ -66,11 +72,7 @@ static void every_color_comes_near_from_hsl24(void **state)
     int worst = 0;
     double worst_h = 0, worst_s = 0, worst_l = 0;
     for (int rg = 0; rg < 65536; rg++) {
-        for (int b = 0; b < 256; b++) {
-            rgb[3 * b] = (uint8_t)(rg >> 8);
-            rgb[3 * b + 1] = (uint8_t)rg;
-            rgb[3 * b + 2] = (uint8_t)b;
-        }
+        all_blues(rgb, rg);
         assert_int_equal(iris_color_row(hsl, IRIS_HSL24, rgb, IRIS_RGB888, 256), IRIS_OK);
         assert_int_equal(iris_color_row(back, IRIS_RGB888, hsl, IRIS_HSL24, 256), IRIS_OK);
         for (int i = 0; i < 3 * 256; i++) {

@@ -1,36 +1,11 @@
 #!/bin/sh
 # iris follow from outside: frames of known lines in, answers out. The frames are text: the floor is ~ (126), a line is a
 # space (32), so the expected numbers can be read off.
-iris=${IRIS:-${OUT:+$OUT/iris}}
-iris=$(realpath "${iris:-build/iris}") || exit 1
-data=${IRIS_DATA:-../shared/data}
-[ -d "$data" ] && data=$(realpath "$data")
-root=$(mktemp -d)
-trap 'rm -rf "$root"' EXIT
-cd "$root" || exit 1
+first_argument=follow
+. tests/outside
 LC_ALL=C
 export LC_ALL
 
-say() { # say CODE NAME
-    if [ "$1" -eq 0 ]; then echo "ok - $2"; else
-        echo "not ok - $2"
-        sed 's/^/# stderr: /' err
-        sed 's/^/# stdout: /' out | head -5
-    fi
-}
-run() { # run ARGUMENT... : code, out, err
-    timeout 30 "$iris" follow "$@" > out 2> err < /dev/null
-    code=$?
-}
-works() { # works NAME ARGUMENT... : exit 0 and nothing on standard error
-    name=$1; shift; run "$@"
-    [ $code -eq 0 ] && [ ! -s err ]; say $? "$name"
-}
-refuses() { # refuses NAME CODE PATTERN ARGUMENT... : that exit code, one line on standard error that matches, no answer
-    name=$1; wanted=$2; pattern=$3; shift 3; run "$@"
-    [ $code -eq "$wanted" ] && [ "$(wc -l < err)" -eq 1 ] && grep -Eq "$pattern" err && [ ! -s out ]
-    say $? "$name"
-}
 field() { # field KEY [LINE] : its value in that line of out
     sed -n "${2:-1}s/.*\"$1\":\([^,}]*\).*/\1/p" out
 }
@@ -251,6 +226,9 @@ done
 refuses "--baud 12345" 2 '^iris follow: --baud: 12345 ' --serial /dev/null --baud 12345 right.pgm
 refuses "--baud fast" 2 '^iris follow: --baud: ' --serial /dev/null --baud fast right.pgm
 
+refuses "--baud without --serial" 2 '^iris follow: --baud: only together with --serial$' --baud 9600 right.pgm
+refuses "standard input twice" 2 '^iris follow: -: standard input is given twice$' - right.pgm -
+
 # --- overlays ---
 works "--overlay" --overlay new/seen right.pgm red.ppm empty.pgm
 [ "$(ls new/seen | tr '\n' ' ')" = "empty.bmp red.bmp right.bmp " ]; say $? "the folder is made, with a BMP per frame"
@@ -330,6 +308,12 @@ say([g[:3] for g in got] == [["PIRIS", str(i), s] for i, s in enumerate("FFSFL")
 say(int(got[0][3]) > 0 > int(got[1][3]) and abs(int(got[0][6]) - 375) < 20, "which says where to steer", seen)
 say(got[-1][3:5] == ["0", "0"] and int(got[-2][4]) > 0, "at the end the robot is stopped", seen)
 say(took > 0.14, "files are paced at --rate", took)
+
+master, slave, name = port()
+code = subprocess.call("exec '%s' follow --serial %s right.pgm missing.pgm <&- >&- 2>&-" % (iris, name), shell=True)
+got = sentences(master)
+say(code == 1 and len(got) == 3 and all(fields(s)[0] == "PIRIS" for s in got[:2]),
+    "closed streams: neither answers nor complaints go to the robot", (code, got))
 
 master, slave, name = port()
 p = start(name, "-")

@@ -129,7 +129,7 @@ iris_status iris_draw_line(const iris_image *image, int32_t x0, int32_t y0, int3
     return IRIS_OK;
 }
 
-iris_status iris_draw_rect_filled(const iris_image *image, iris_rect rect, iris_color color)
+static iris_status draw_rect(const iris_image *image, iris_rect rect, iris_color color, int filled)
 {
     draw_pen pen;
     iris_status status = pen_make(&pen, image, color);
@@ -138,25 +138,26 @@ iris_status iris_draw_rect_filled(const iris_image *image, iris_rect rect, iris_
     }
     const int64_t x[2] = {rect.x, (int64_t)rect.x + rect.w - 1};
     const int64_t y[2] = {rect.y, (int64_t)rect.y + rect.h - 1};
-    block(image, pen, x, y);
-    return IRIS_OK;
-}
-
-iris_status iris_draw_rect(const iris_image *image, iris_rect rect, iris_color color)
-{
-    draw_pen pen;
-    iris_status status = pen_make(&pen, image, color);
-    if (status != IRIS_OK || rect.w < 1 || rect.h < 1) {
-        return status;
+    if (filled) {
+        block(image, pen, x, y);
+        return IRIS_OK;
     }
-    const int64_t x[2] = {rect.x, (int64_t)rect.x + rect.w - 1};
-    const int64_t y[2] = {rect.y, (int64_t)rect.y + rect.h - 1};
     for (int side = 0; side < 2; side++) {
         const int64_t column[2] = {x[side], x[side]};
         span(image, pen, x[0], x[1], y[side]);
         block(image, pen, column, y);
     }
     return IRIS_OK;
+}
+
+iris_status iris_draw_rect(const iris_image *image, iris_rect rect, iris_color color)
+{
+    return draw_rect(image, rect, color, 0);
+}
+
+iris_status iris_draw_rect_filled(const iris_image *image, iris_rect rect, iris_color color)
+{
+    return draw_rect(image, rect, color, 1);
 }
 
 iris_status iris_draw_circle(const iris_image *image, int32_t x, int32_t y, int32_t radius, iris_color color)
