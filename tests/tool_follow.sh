@@ -310,10 +310,12 @@ say(got[-1][3:5] == ["0", "0"] and int(got[-2][4]) > 0, "at the end the robot is
 say(took > 0.14, "files are paced at --rate", took)
 
 master, slave, name = port()
-code = subprocess.call("exec '%s' follow --serial %s right.pgm missing.pgm <&- >&- 2>&-" % (iris, name), shell=True)
-got = sentences(master)
-say(code == 1 and len(got) == 3 and all(fields(s)[0] == "PIRIS" for s in got[:2]),
-    "closed streams: neither answers nor complaints go to the robot", (code, got))
+for closed in ">&-", "2>&-", "<&- >&- 2>&-":
+    command = "exec '%s' follow --serial %s right.pgm missing.pgm %s" % (iris, name, closed)
+    code = subprocess.run(command, shell=True, capture_output=True, timeout=20).returncode
+    got = sentences(master)
+    say(code == 1 and len(got) == 3 and all(fields(s)[0] == "PIRIS" for s in got[:2]),
+        "neither answers nor complaints go to the robot with " + closed, (code, got))
 
 master, slave, name = port()
 p = start(name, "-")
