@@ -60,6 +60,19 @@ static int take_option(const arguments *args, const char *word, const char **nex
     return 1;
 }
 
+/* Returns 0 after complaining: standard input can be read once. */
+static int take_operand(arguments *args, char *word)
+{
+    for (int i = 0; i < args->operand_count && strcmp(word, "-") == 0; i++) {
+        if (strcmp(args->operands[i], "-") == 0) {
+            complain(word, "standard input is given twice");
+            return 0;
+        }
+    }
+    args->operands[args->operand_count++] = word;
+    return 1;
+}
+
 int args_parse(arguments *args, int argc, char **argv)
 {
     int options_ended = 0;
@@ -68,7 +81,9 @@ int args_parse(arguments *args, int argc, char **argv)
     for (int i = 1; i < argc; i++) {
         char *word = argv[i];
         if (options_ended || word[0] != '-' || word[1] == '\0') {
-            args->operands[args->operand_count++] = word;
+            if (!take_operand(args, word)) {
+                return EXIT_BAD_CALL;
+            }
         } else if (strcmp(word, "--") == 0) {
             options_ended = 1;
         } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {

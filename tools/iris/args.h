@@ -1,7 +1,7 @@
 /* The command line of one command: options and operands in any order.
  *
  * --name, --name=value, --name value, and single letters (-o value, -ovalue). "--" ends the options, "-" is an operand
- * (standard input or output). --help prints the command's help.
+ * (standard input; once). --help prints the command's help.
  */
 #ifndef IRIS_TOOL_ARGS_H
 #define IRIS_TOOL_ARGS_H

@@ -209,6 +209,10 @@ int cmd_follow(int argc, char **argv)
         complain(NULL, "no input (see --help)");
         return EXIT_BAD_CALL;
     }
+    if (texts.baud && !options.serial) {
+        complain("--baud", "only together with --serial");
+        return EXIT_BAD_CALL;
+    }
     if (!follow_options_read(&options, &texts)) {
         return EXIT_BAD_CALL;
     }

@@ -108,17 +108,20 @@ static int write_in_place(const char *path, const iris_image *image, picture_con
     return done;
 }
 
-/* Into a new file beside `path`, which then takes its place. */
-static int write_beside(const char *path, mode_t mode, const iris_image *image, picture_container container)
+/* Into a new file beside `path`, which then takes its place. `name` is what the user calls it. */
+static int write_beside(const char *path, const char *name, mode_t mode, const iris_image *image,
+                        picture_container container)
 {
     char temporary[PATH_MAX];
-    if (snprintf(temporary, sizeof temporary, "%s.XXXXXX", path) >= (int)sizeof temporary) {
-        complain(path, "%s", strerror(ENAMETOOLONG));
+    const char *slash = strrchr(path, '/');
+    int folder = slash ? (int)(slash + 1 - path) : 0;
+    if (snprintf(temporary, sizeof temporary, "%.*s.iris-XXXXXX", folder, path) >= (int)sizeof temporary) {
+        complain(name, "%s", strerror(ENAMETOOLONG));
         return 0;
     }
     int fd = mkstemp(temporary);
     if (fd < 0) {
-        complain(path, "%s", write_problem());
+        complain(name, "%s", write_problem());
         return 0;
     }
     FILE *file = fdopen(fd, "wb");
@@ -130,7 +133,7 @@ static int write_beside(const char *path, mode_t mode, const iris_image *image, 
     if (!done) {
         const char *problem = write_problem();
         unlink(temporary);
-        complain(path, "%s", problem);
+        complain(name, "%s", problem);
     }
     return done;
 }
@@ -146,12 +149,16 @@ int picture_write(const char *path, const iris_image *image)
     if (stat(path, &existing) != 0) {
         mode_t mask = umask(0);
         umask(mask);
-        return write_beside(path, 0666 & ~mask, image, container);
+        return write_beside(path, path, 0666 & ~mask, image, container);
     }
     if (!S_ISREG(existing.st_mode)) {
         return write_in_place(path, image, container);
     }
+    if (access(path, W_OK) != 0) { /* its folder would let us replace it */
+        complain(path, "%s", strerror(errno));
+        return 0;
+    }
     /* A link stays a link: the file it points to is replaced. */
-    return write_beside(realpath(path, resolved) ? resolved : path, existing.st_mode & 07777, image,
+    return write_beside(realpath(path, resolved) ? resolved : path, path, existing.st_mode & 07777, image,
                         container);
 }
