@@ -1,6 +1,16 @@
 /* Hough transform: which lines are found, drawn in double precision and in two real pictures. */
 #include "line_mask.h"
 
+/* The lines in a mask, which must all fit; returns how many. */
+static int32_t find(iris_hough_line *lines, int32_t capacity, const iris_image *mask,
+                    const iris_hough_config *config)
+{
+    iris_scratch scratch = arena(sizeof memory);
+    int32_t count = -1;
+    assert_int_equal(iris_hough_lines(lines, capacity, &count, mask, config, &scratch), IRIS_OK);
+    return count;
+}
+
 static void strew(const iris_image *mask, int32_t points, uint32_t seed)
 {
     for (int32_t i = 0; i < points; i++) {
@@ -48,11 +58,8 @@ static void one_line_at_every_angle_in_noise(void **state)
             iris_image mask = blank(w, h);
             draw(&mask, degrees, rho);
             strew(&mask, w * h / 60, (uint32_t)i);
-            iris_scratch scratch = arena(sizeof memory);
             iris_hough_line lines[1];
-            int32_t count = 0;
-            assert_int_equal(iris_hough_lines(lines, 1, &count, &mask, &config, &scratch), IRIS_OK);
-            assert_int_equal(count, 1);
+            assert_int_equal(find(lines, 1, &mask, &config), 1);
             assert_line(&lines[0], degrees, rho, 0.8 * bin, 0.8 * config.rho_step);
             double off = angle_off(&lines[0], degrees, rho, &rho_off);
             angle_squares += off * off / bin / bin;
@@ -83,9 +90,7 @@ static void signs_of_angle_and_rho(void **state)
             }
         }
         iris_hough_line line;
-        int32_t count;
-        iris_scratch scratch = arena(sizeof memory);
-        assert_int_equal(iris_hough_lines(&line, 1, &count, &mask, &config, &scratch), IRIS_OK);
+        assert_int_equal(find(&line, 1, &mask, &config), 1);
         assert_line(&line, cases[i].degrees, cases[i].rho, 0.5, 0.75);
     }
 }
@@ -100,10 +105,7 @@ static void a_line_across_the_wrap_is_one_line(void **state)
             draw(&mask, degrees, rho);
             iris_hough_config config = config_of(90, 2, 30);
             iris_hough_line lines[4];
-            int32_t count;
-            iris_scratch scratch = arena(sizeof memory);
-            assert_int_equal(iris_hough_lines(lines, 4, &count, &mask, &config, &scratch), IRIS_OK);
-            assert_int_equal(count, 1);
+            assert_int_equal(find(lines, 4, &mask, &config), 1);
             assert_line(&lines[0], degrees, rho, 1.6, 1.6);
         }
     }
@@ -119,11 +121,9 @@ static void where_the_half_turn_begins_does_not_matter(void **state)
         draw(&mask, degrees, rho);
         iris_hough_config config = config_of(90, 2, 30);
         iris_hough_line at_wrap, inside;
-        int32_t count;
-        iris_scratch scratch = arena(sizeof memory);
-        assert_int_equal(iris_hough_lines(&at_wrap, 1, &count, &mask, &config, &scratch), IRIS_OK);
+        assert_int_equal(find(&at_wrap, 1, &mask, &config), 1);
         config.angle_min = config.angle_max = 0;
-        assert_int_equal(iris_hough_lines(&inside, 1, &count, &mask, &config, &scratch), IRIS_OK);
+        assert_int_equal(find(&inside, 1, &mask, &config), 1);
         assert_int_equal(at_wrap.votes, inside.votes);
         assert_line(&at_wrap, inside.angle / DEGREE, inside.rho_q16 / 65536.0, 0.02, 0.02);
     }
@@ -138,34 +138,27 @@ static void bounds_leave_lines_out(void **state)
     draw(&mask, -80, -20);
     iris_hough_config config = config_of(90, 2, 40);
     iris_hough_line lines[8];
-    int32_t count;
-    iris_scratch scratch = arena(sizeof memory);
-    assert_int_equal(iris_hough_lines(lines, 8, &count, &mask, &config, &scratch), IRIS_OK);
-    assert_int_equal(count, 3);
+    assert_int_equal(find(lines, 8, &mask, &config), 3);
     config.theta_bins = 60;
     config.angle_min = iris_angle_from_degrees(-60);
     config.angle_max = iris_angle_from_degrees(60);
-    assert_int_equal(iris_hough_lines(lines, 8, &count, &mask, &config, &scratch), IRIS_OK);
-    assert_int_equal(count, 1);
+    assert_int_equal(find(lines, 8, &mask, &config), 1);
     assert_line(&lines[0], 5, 40, 1.6, 1.6);
     config.rho_max = 30;
-    assert_int_equal(iris_hough_lines(lines, 8, &count, &mask, &config, &scratch), IRIS_OK);
-    assert_int_equal(count, 0);
+    assert_int_equal(find(lines, 8, &mask, &config), 0);
     /* 60 to -60 is 60 to 120: both of the others, and the line at -80 with its rho negated, as for 100 */
     config.rho_max = 30;
     config.rho_min = -30;
     config.theta_bins = 30;
     config.angle_min = iris_angle_from_degrees(60);
     config.angle_max = iris_angle_from_degrees(-60);
-    assert_int_equal(iris_hough_lines(lines, 8, &count, &mask, &config, &scratch), IRIS_OK);
-    assert_int_equal(count, 2);
+    assert_int_equal(find(lines, 8, &mask, &config), 2);
     int first = lines[0].angle < 0; /* which of them is that at -80 */
     assert_line(&lines[!first], -80, -20, 1.6, 1.6);
     assert_true(lines[!first].angle < 0);
     assert_line(&lines[first], 70, -10, 1.6, 1.6);
     config.rho_max = 0;
-    assert_int_equal(iris_hough_lines(lines, 8, &count, &mask, &config, &scratch), IRIS_OK);
-    assert_int_equal(count, 1);
+    assert_int_equal(find(lines, 8, &mask, &config), 1);
     assert_line(&lines[0], 70, -10, 1.6, 1.6);
 }
 
@@ -178,18 +171,14 @@ static void parallel_lines_are_told_apart(void **state)
         draw(&mask, degrees, 8);
         iris_hough_config config = config_of(180, 1, 60);
         iris_hough_line lines[4];
-        int32_t count;
-        iris_scratch scratch = arena(sizeof memory);
-        assert_int_equal(iris_hough_lines(lines, 4, &count, &mask, &config, &scratch), IRIS_OK);
-        assert_int_equal(count, 2);
+        assert_int_equal(find(lines, 4, &mask, &config), 2);
         double off;
         angle_off(&lines[0], degrees, -8, &off);
         int second = off < 8;
         assert_line(&lines[!second], degrees, -8, 0.8, 0.8);
         assert_line(&lines[second], degrees, 8, 0.8, 0.8);
         config.rho_separation = 20;
-        assert_int_equal(iris_hough_lines(lines, 4, &count, &mask, &config, &scratch), IRIS_OK);
-        assert_int_equal(count, 1);
+        assert_int_equal(find(lines, 4, &mask, &config), 1);
     }
 }
 
@@ -248,10 +237,7 @@ static void two_lane_lines_of_a_road(void **state)
     config.angle_min = iris_angle_from_degrees(-70);
     config.angle_max = iris_angle_from_degrees(70);
     iris_hough_line lines[4];
-    int32_t count;
-    iris_scratch scratch = arena(sizeof memory);
-    assert_int_equal(iris_hough_lines(lines, 4, &count, &mask, &config, &scratch), IRIS_OK);
-    assert_int_equal(count, 2);
+    assert_int_equal(find(lines, 4, &mask, &config), 2);
     /* read off the picture: the solid line leans right, the dashed one left; both ends of each */
     assert_true(lines[0].angle > 50 * DEGREE && lines[0].angle < 60 * DEGREE);
     assert_true(lines[1].angle > -62 * DEGREE && lines[1].angle < -55 * DEGREE);
