@@ -38,11 +38,12 @@ static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
     follow->owner = iris_scratch_take(scratch, h * IRIS_FOLLOW_RUNS);
     follow->chains = iris_scratch_take(scratch, IRIS_FOLLOW_CHAINS * sizeof(iris_follow_chain));
     follow->floor = iris_scratch_take(scratch, blocks * 2);
-    follow->blocks = iris_scratch_take(scratch, blocks * sizeof(iris_block8));
+    follow->blocks = iris_scratch_take(scratch, (blocks + 1) * sizeof(iris_block8));
     if (!follow->runs || !follow->owner || !follow->chains || !follow->floor || !follow->blocks) {
         iris_scratch_release(scratch, mark);
         return IRIS_ERR_SCRATCH;
     }
+    follow->blocks[blocks].below = 1;
     return IRIS_OK;
 }
 
@@ -71,6 +72,8 @@ iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_
     follow->min_width = least < 2 ? 2 : least;
     follow->max_gap = 1 + (size.w < size.h ? size.w : size.h) / 80;
     follow->contrast_q10 = config->contrast_permil * 1024 / 1000;
+    follow->brighter_q10 = 1024000 / (1000 - config->contrast_permil);
+    follow->learn_rows = size.h < 360 ? 3 : size.h / 120;
     return take_memory(follow, scratch);
 }
 
@@ -107,6 +110,8 @@ iris_status iris_follow_begin(iris_follow *follow)
     }
     follow->y = 0;
     follow->chain_count = 0;
+    follow->rows_to_learn = 1;
+    follow->dark_rows = 0;
     return IRIS_OK;
 }
 

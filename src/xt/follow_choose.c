@@ -24,7 +24,8 @@ static int32_t length_of(const iris_follow_chain *chain)
 
 static int32_t contrast_permil(const iris_follow_chain *chain)
 {
-    return chain->range_sum > 0 ? chain->contrast_sum * 1000 / chain->range_sum : 0;
+    int32_t permil = chain->range_sum > 0 ? chain->contrast_sum * 1000 / chain->range_sum : 0;
+    return permil < 1000 ? permil : 1000;
 }
 
 /* Columns between two runs, 0 when they overlap. */
@@ -82,11 +83,21 @@ static int continues(const iris_follow *follow, const iris_follow_chain *near, c
     return gap <= follow->size.h / 16 || goes_on(near, far);
 }
 
-/* Longer, higher in contrast, and nearer to the robot is better. */
+/* Does the chain reach the robot about where the line was in an earlier frame? */
+static int is_where_it_was(const iris_follow *follow, const iris_follow_chain *chain)
+{
+    int32_t w = follow->size.w;
+    int32_t last = (w - 1 + ((follow->last.offset_q16 * w) >> 16)) / 2;
+    return follow->seen && !follow->config.lane && chain->bottom_y >= follow->size.h * 3 / 4 &&
+           distance(center(chain->bottom), last) <= w / 8;
+}
+
+/* Longer, higher in contrast, nearer to the robot, and where the line was before is better. */
 static int32_t score_of(const iris_follow *follow, const iris_follow_chain *chain)
 {
     int32_t score = length_of(chain) * contrast_permil(chain);
-    return score + score / follow->size.h * chain->bottom_y;
+    score += score / follow->size.h * chain->bottom_y;
+    return is_where_it_was(follow, chain) ? score + score / 2 : score;
 }
 
 /* Is the whole long enough, thin enough for its length, and without more gaps than line? */
@@ -102,7 +113,7 @@ static int is_line(const iris_follow *follow, int32_t farthest)
     }
     int32_t extent = bottom - follow->chains[farthest].top_y + 1;
     int32_t shorter = follow->size.w < follow->size.h ? follow->size.w : follow->size.h;
-    return length >= shorter / 4 && (int64_t)length * length >= (int64_t)area * 5 / 4 && rows * 2 >= extent;
+    return length >= shorter / 4 && (int64_t)length * length >= (int64_t)area * 3 / 2 && rows * 2 >= extent;
 }
 
 int32_t iris_follow_choose(iris_follow *follow)

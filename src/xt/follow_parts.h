@@ -44,7 +44,10 @@ static inline int32_t iris_span_width(iris_span span)
 void iris_follow_mark(iris_follow *follow, const uint8_t *gray);
 
 /* Learns the floor from the blocks of this row that hold no line pixel and are under no run. */
-void iris_follow_learn(const iris_follow *follow);
+void iris_follow_learn(iris_follow *follow);
+
+/* What a line's contrast with this floor is relative to, 8 fraction bits like the floor. */
+int32_t iris_follow_range(const iris_follow *follow, int32_t floor);
 
 /* follow_runs.c: from line bits to runs, and from runs to chains. gray is null when lines are told by color. */
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray);

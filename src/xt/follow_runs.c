@@ -42,10 +42,10 @@ static int32_t find_runs(iris_follow *follow, iris_span *runs)
     const iris_block8 *block = follow->blocks, *end = block + IRIS_FOLLOW_BLOCKS(follow->size.w);
     int32_t count = 0, left = -1, right = -1;
     for (;; block++) {
-        while (block < end && block->below == 0) {
+        while (block->below == 0) {
             block++;
         }
-        if (block == end) {
+        if (block >= end) {
             break;
         }
         int32_t x = (int32_t)(block - follow->blocks) * 8;
@@ -116,16 +116,16 @@ static void sample_contrast(const iris_follow *follow, iris_follow_chain *chain,
         return;
     }
     int32_t x = (run.left + run.right) >> 1;
-    int32_t floor = follow->floor[x >> 3] >> 8;
-    chain->contrast_sum += floor - level_at(follow, gray, x);
-    chain->range_sum += floor;
+    int32_t floor = follow->floor[x >> 3];
+    chain->contrast_sum += (floor >> 8) - level_at(follow, gray, x);
+    chain->range_sum += iris_follow_range(follow, floor) >> 8;
 }
 
 /* Is the pixel below the floor, if only by a third of the contrast asked for? */
 static int is_weak(const iris_follow *follow, const uint8_t *gray, int32_t x)
 {
-    int32_t floor = follow->floor[x >> 3];
-    return ((floor >> 8) - level_at(follow, gray, x)) * 3 > floor * follow->contrast_q10 >> 18;
+    int32_t floor = follow->floor[x >> 3] >> 8;
+    return (floor - level_at(follow, gray, x)) * 3 > floor - follow->blocks[x >> 3].limit;
 }
 
 /* Where glare weakens the line, its run grows over weak pixels up to where it was in the row above. */

@@ -88,7 +88,7 @@ typedef struct {
 #define IRIS_FOLLOW_SCRATCH_BYTES(w, h)                                                                      \
     (IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS * sizeof(iris_span)) +                                  \
      IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 32) +        \
-     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 4))
+     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND((IRIS_FOLLOW_BLOCKS(w) + 1) * 4))
 #define IRIS_FOLLOW_COLOR_SCRATCH_BYTES(w, h)                                                                \
     (IRIS_FOLLOW_SCRATCH_BYTES(w, h) + IRIS_SCRATCH_ROUND(((size_t)(w) + 31) / 32 * 4) +                     \
      IRIS_SCRATCH_ROUND((size_t)(w)*3))
@@ -98,10 +98,16 @@ typedef struct iris_follow iris_follow;
 struct iris_follow {
     iris_follow_config config;
     iris_size size;
-    int32_t y;               /* rows fed in this frame; -1 between frames */
-    int32_t min_width;       /* pixels */
-    int32_t max_gap;         /* columns that do not interrupt a run, rows that do not interrupt a chain */
-    int32_t contrast_q10;    /* contrast_permil with 10 fraction bits */
+    int32_t y;            /* rows fed in this frame; -1 between frames */
+    int32_t min_width;    /* pixels */
+    int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
+    int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
+    int32_t
+        brighter_q10; /* bright lines: 1 / (1 - contrast), how much brighter than the floor they are at least */
+    int32_t brightness;      /* of the row from which the whole floor was learned */
+    int32_t learn_rows;      /* the floor learns every so many rows */
+    int32_t rows_to_learn;   /* until it does again */
+    int32_t dark_rows;       /* in a row without any floor */
     int32_t chain_count;     /* in this frame */
     int32_t seen;            /* 1 once a line was found */
     uint32_t seen_ms;        /* when */
@@ -114,7 +120,7 @@ struct iris_follow {
     iris_hsl_range_test color; /* the range, made ready */
     /* in the caller's working memory: */
     uint16_t *floor;                  /* level of the floor per block of 8 columns, 8 fraction bits */
-    struct iris_block8 *blocks;       /* this row, 8 columns each */
+    struct iris_block8 *blocks;       /* this row, 8 columns each, and one more that is never clear */
     iris_span *runs;                  /* IRIS_FOLLOW_RUNS per row; after the frame: one span per row */
     uint8_t *owner;                   /* chain of each run */
     struct iris_follow_chain *chains; /* pieces of line, or of anything else that looks like it */
