@@ -33,6 +33,7 @@ typedef struct {
     int32_t upright_top;         /* rows upright_top to bottom are fitted by row centers */
     int32_t bar_top, bar_bottom; /* rows that lie across; bar_bottom < bar_top: none */
     int32_t width;               /* of the line near the robot */
+    int32_t bottom_x_q16;        /* where the nearest piece, a straight one, meets the bottom row */
 } iris_follow_shape;
 
 static inline int32_t iris_span_width(iris_span span)

@@ -1,7 +1,8 @@
 /* From the chosen chains to the result: one span per row, straight segments, angle, offsets, and bends. */
 #include "follow_parts.h"
 
-#define NONE IRIS_REGRESS_NONE
+#define NONE      IRIS_REGRESS_NONE
+#define NO_COLUMN INT32_MIN
 
 /* A line that is much wider than high lies across as a whole. */
 static int lies_across(const iris_follow_shape *s)
@@ -65,11 +66,16 @@ static int32_t within_reach(int64_t q16)
 }
 
 /* Column of a line in row y. Lines near the level have none: the caller asks only for |angle| below 80 degrees. */
-static int32_t line_x(const iris_line *line, int32_t y)
+static int32_t line_x_q16(const iris_line *line, int32_t y)
 {
     int32_t tangent_q16 = line->dx / (line->dy >> 16);
     int64_t aside = ((int64_t)(y * 65536 - line->y_q16) * tangent_q16) >> 16;
-    return (within_reach(line->x_q16 + aside) + 32768) >> 16;
+    return within_reach(line->x_q16 + aside);
+}
+
+static int32_t line_x(const iris_line *line, int32_t y)
+{
+    return (line_x_q16(line, y) + 32768) >> 16;
 }
 
 /* Row of a line in column x, for lines that lie across. */
@@ -209,7 +215,7 @@ static iris_q16 offset_at(const iris_follow_result *result, const iris_follow_sh
     return offset_of(s->follow, x_q16);
 }
 
-static void describe_upright(iris_follow_result *result, const iris_follow_shape *s)
+static void describe_upright(iris_follow_result *result, iris_follow_shape *s)
 {
     int32_t breaks[IRIS_FOLLOW_SEGMENTS_MAX + 1];
     int32_t count = split(s, breaks);
@@ -227,6 +233,7 @@ static void describe_upright(iris_follow_result *result, const iris_follow_shape
         }
         if (result->segment_count == 1) {
             result->angle = line.angle;
+            s->bottom_x_q16 = is_level(&line) ? NO_COLUMN : line_x_q16(&line, s->follow->size.h - 1);
         }
     }
 }
@@ -316,6 +323,7 @@ int iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_
         .follow = follow, .spans = follow->runs, .twice_x = (int16_t *)(void *)follow->owner};
     s.is_lane = other >= 0;
     s.bar_bottom = -1;
+    s.bottom_x_q16 = NO_COLUMN;
     iris_follow_gather(&s, line, other);
     if (s.top > s.bottom) {
         return 0;
@@ -332,7 +340,9 @@ int iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_
     }
     int32_t ahead = (follow->size.h - 1) * follow->config.lookahead_permil / 1000;
     result->width_px = iris_follow_mean_width(&s, follow->size.h);
-    result->offset_q16 = offset_of(follow, segments_x_q16(result, follow->size.h - 1));
+    int32_t bottom_q16 =
+        s.bottom_x_q16 != NO_COLUMN ? s.bottom_x_q16 : segments_x_q16(result, follow->size.h - 1);
+    result->offset_q16 = offset_of(follow, bottom_q16);
     result->lookahead_offset_q16 = offset_at(result, &s, ahead);
     result->confidence_permil = confidence(&s);
     result->rows = s.spans;

@@ -48,8 +48,10 @@ typedef struct {
                                  IRIS_RGB888); default IRIS_GRAY8 */
     iris_hsl_range color;     /* for IRIS_FOLLOW_COLOR only */
     int32_t lane;             /* 1: follow the middle between two lines; default 0 */
-    int32_t contrast_permil;  /* 100..900: how much darker (brighter) than the floor a line pixel is at least,
-                                 relative to the floor; default 350 */
+    int32_t contrast_permil;  /* 100..900: how much darker than the floor a line pixel is at least, relative to the
+                                 floor (bright lines: brighter, relative to the line, or to what is left up to white,
+                                 whichever is less). The line as a whole stands out by a fifth of the rest more:
+                                 480 at the default of 350 */
     int32_t min_width_permil; /* 1..500: narrower runs are not the line, in permil of the image width;
                                  default 12 */
     int32_t lookahead_permil; /* 0..1000: the look-ahead row, counted from the top, in permil of the height;
@@ -58,7 +60,9 @@ typedef struct {
 } iris_follow_config;
 
 typedef struct {
-    int32_t x0, y0, x1, y1; /* pixels; (x0, y0) is the end nearer to the robot */
+    int32_t x0, y0, x1,
+        y1; /* pixels; (x0, y0) is the end nearer to the robot. A fitted line's ends may lie beyond
+                               the sides of the image. */
 } iris_segment;
 
 /* First and last column of the line in a row, inclusive; left > right when the row has none. With `lane`: the
