@@ -249,6 +249,7 @@ static void bad_calls_are_refused_and_touch_nothing(void **state)
         for (int s = 0; s <= 25; s++) {
             int camera = s == IRIS_GRAY8 || s == IRIS_RGB888 || s == IRIS_BGR888 || s == IRIS_RGB565 ||
                          s == IRIS_RGB565_SWAP || s == IRIS_YUYV || s == IRIS_UYVY;
+            assert_int_equal(iris_color_takes((iris_format)s), camera);
             int pair =
                 (d == IRIS_GRAY8 && (camera || s == IRIS_MASK1)) ||
                 ((d == IRIS_RGB888 || d == IRIS_BGR888) && (camera || s == IRIS_HSL24 || s == IRIS_HSL48)) ||

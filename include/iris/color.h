@@ -64,6 +64,10 @@ iris_status iris_color_convert(const iris_image *dst, const iris_image *src);
 iris_status iris_color_row(void *dst, iris_format dst_format, const void *src, iris_format src_format,
                            int32_t n);
 
+/* 1 for the formats that come from cameras and files: GRAY8, RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, and UYVY; these
+ * are what the functions below take. Else 0. O(1). */
+int iris_color_takes(iris_format format);
+
 /* Gray by the given method, from GRAY8 (copied), RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, UYVY: a whole view, and one
  * row. Errors, aliasing, and cost as above; also IRIS_ERR_ARG for an unknown method. */
 iris_status iris_color_gray(const iris_image *dst, const iris_image *src, iris_gray_method method);

@@ -55,8 +55,7 @@ static void rgb_from_yuv(uint8_t *dst, const uint8_t *src, int32_t n, int y)
     }
 }
 
-/* The formats that arrive from cameras and files. */
-static int is_camera_format(iris_format format)
+int iris_color_takes(iris_format format)
 {
     switch (format) {
     case IRIS_GRAY8:
@@ -213,10 +212,10 @@ static int is_pair(iris_format dst, iris_format src)
 {
     switch (dst) {
     case IRIS_GRAY8:
-        return is_camera_format(src) || src == IRIS_MASK1;
+        return iris_color_takes(src) || src == IRIS_MASK1;
     case IRIS_RGB888:
     case IRIS_BGR888:
-        return is_camera_format(src) || src == IRIS_HSL24 || src == IRIS_HSL48;
+        return iris_color_takes(src) || src == IRIS_HSL24 || src == IRIS_HSL48;
     case IRIS_HSL24:
     case IRIS_HSL48:
         return src == IRIS_RGB888 || src == IRIS_BGR888;
@@ -232,7 +231,7 @@ iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_fo
     if (!dst || !src) {
         return IRIS_ERR_ARG;
     }
-    if (!is_camera_format(src_format)) {
+    if (!iris_color_takes(src_format)) {
         return IRIS_ERR_FORMAT;
     }
     iris_status status = rows_check(dst, IRIS_RGB888, src, src_format, n);
@@ -248,7 +247,7 @@ iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_f
     if (!dst || !src || !is_method(method)) {
         return IRIS_ERR_ARG;
     }
-    if (!is_camera_format(src_format)) {
+    if (!iris_color_takes(src_format)) {
         return IRIS_ERR_FORMAT;
     }
     iris_status status = rows_check(dst, IRIS_GRAY8, src, src_format, n);
