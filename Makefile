@@ -132,7 +132,7 @@ install: all ## installs headers, libraries, pkg-config file, tool and man page 
 	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris' \
 	    > "$(INSTALL)/lib/pkgconfig/iris.pc"
 	$(if $(TOOL),@install -D -m 755 $(TOOL) "$(INSTALL)/bin/iris")
-	$(if $(wildcard tools/iris/iris.1),@install -D -m 644 tools/iris/iris.1 "$(INSTALL)/share/man/man1/iris.1")
+	$(if $(TOOL),@install -D -m 644 tools/iris/iris.1 "$(INSTALL)/share/man/man1/iris.1")
 
 uninstall: ## removes what install put there
 	rm -rf "$(INSTALL)/include/iris"

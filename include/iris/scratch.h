@@ -21,7 +21,11 @@ extern "C" {
 /* n bytes rounded up to whole blocks. Constant expression in size_t. */
 #define IRIS_SCRATCH_ROUND(n) (((size_t)(n) + 15u) / 16u * 16u)
 
-/* A static buffer that may serve as an arena's base: IRIS_SCRATCH_BUFFER(name, bytes); */
+/* A buffer that may serve as an arena's base, static or not:
+ *
+ *     static IRIS_SCRATCH_BUFFER(working, IRIS_FOLLOW_SCRATCH_BYTES(160, 120));
+ *     iris_scratch_init(&scratch, working.memory, sizeof working.memory);
+ */
 #define IRIS_SCRATCH_BUFFER(name, bytes)                                                                     \
     union {                                                                                                  \
         uint8_t memory[bytes];                                                                               \

@@ -3,7 +3,8 @@
  * A proportional-derivative controller on the line's offset and angle, slower in curves, with a stated behavior when the
  * line is lost. One call per frame, in 32-bit integers; it knows nothing of the robot but its config, so that the same
  * command suits a steered axle (steer is the wheel angle) and two driven wheels (full steer stops the inner wheel:
- * left = speed + steer * speed, right = speed - steer * speed). Report, sections 2.3 and 2.4.
+ * left = speed + steer * speed, right = speed - steer * speed, which is up to twice the speed: the robot caps it).
+ * Report, sections 2.3 and 2.4.
  *
  *     offset = bottom row's + share * (look-ahead row's - bottom row's)
  *     steer  = offset_gain * (offset + derivative_ms * rate) + angle_gain * angle       rate: low-passed d offset / dt
