@@ -30,19 +30,19 @@ static int is_valid(const iris_follow_config *config)
            within(config->lookahead_permil, 0, 1000) && within(config->hold_ms, 0, 60000);
 }
 
+/* One block, cut into its parts. */
 static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
 {
     size_t h = (size_t)follow->size.h, blocks = IRIS_FOLLOW_BLOCKS(follow->size.w);
-    size_t mark = iris_scratch_mark(scratch);
-    follow->runs = iris_scratch_take(scratch, h * IRIS_FOLLOW_RUNS * sizeof(iris_span));
-    follow->owner = iris_scratch_take(scratch, h * IRIS_FOLLOW_RUNS);
-    follow->chains = iris_scratch_take(scratch, IRIS_FOLLOW_CHAINS * sizeof(iris_follow_chain));
-    follow->floor = iris_scratch_take(scratch, blocks * 2);
-    follow->blocks = iris_scratch_take(scratch, (blocks + 1) * sizeof(iris_block8));
-    if (!follow->runs || !follow->owner || !follow->chains || !follow->floor || !follow->blocks) {
-        iris_scratch_release(scratch, mark);
+    iris_follow_chain *chains = iris_scratch_take(scratch, IRIS_FOLLOW_SCRATCH_BYTES(follow->size.w, h));
+    if (!chains) {
         return IRIS_ERR_SCRATCH;
     }
+    follow->chains = chains;
+    follow->runs = (void *)(chains + IRIS_FOLLOW_CHAINS);
+    follow->blocks = (void *)(follow->runs + h * IRIS_FOLLOW_RUNS);
+    follow->floor = (void *)(follow->blocks + blocks + 1);
+    follow->owner = (void *)(follow->floor + blocks);
     follow->blocks[blocks].below = 1;
     return IRIS_OK;
 }
@@ -55,24 +55,31 @@ static iris_status fit_by_regression(iris_line *line, const iris_follow *follow,
     return iris_regress_rows(line, twice_x, y0, y1, TRIMS);
 }
 
-iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config,
-                                iris_scratch *scratch)
+void iris_follow_configure(iris_follow *follow, iris_size size, const iris_follow_config *config)
 {
-    if (!is_valid(config)) {
+    iris_follow_defaults(&follow->config);
+    if (config) {
+        follow->config = *config;
+    }
+    follow->size = size;
+}
+
+iris_status iris_follow_prepare(iris_follow *follow, iris_scratch *scratch)
+{
+    iris_size size = follow->size;
+    if (!is_valid(&follow->config)) {
         return IRIS_ERR_ARG;
     }
     if (!within(size.w, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX) || !within(size.h, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX)) {
         return IRIS_ERR_RANGE;
     }
-    follow->config = *config;
     follow->fit = fit_by_regression;
-    follow->size = size;
     follow->y = -1;
-    int32_t least = size.w * config->min_width_permil / 1000;
+    int32_t least = size.w * follow->config.min_width_permil / 1000;
     follow->min_width = least < 2 ? 2 : least;
     follow->max_gap = 1 + (size.w < size.h ? size.w : size.h) / 80;
-    follow->contrast_q10 = config->contrast_permil * 1024 / 1000;
-    follow->brighter_q10 = 1024000 / (1000 - config->contrast_permil);
+    follow->contrast_q10 = follow->config.contrast_permil * 1024 / 1000;
+    follow->brighter_q10 = 1024000 / (1000 - follow->config.contrast_permil);
     follow->learn_rows = size.h < 360 ? 3 : size.h / 120;
     return take_memory(follow, scratch);
 }
@@ -89,14 +96,15 @@ iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_fol
     if (!follow || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_follow made = {.mark = mark_gray};
-    iris_follow_config used;
-    iris_follow_defaults(&used);
-    used = config ? *config : used;
-    if (used.kind == IRIS_FOLLOW_COLOR || used.format != IRIS_GRAY8) {
+    iris_follow made = {.mark = mark_gray, .describe = iris_follow_describe_line};
+    iris_follow_configure(&made, size, config);
+    if (made.config.kind == IRIS_FOLLOW_COLOR || made.config.format != IRIS_GRAY8) {
         return IRIS_ERR_FORMAT;
     }
-    iris_status status = iris_follow_prepare(&made, size, &used, scratch);
+    if (made.config.lane == 1) {
+        return IRIS_ERR_UNSUPPORTED;
+    }
+    iris_status status = iris_follow_prepare(&made, scratch);
     if (status == IRIS_OK) {
         *follow = made;
     }
@@ -132,18 +140,6 @@ iris_status iris_follow_row(iris_follow *follow, const void *pixels)
     return IRIS_OK;
 }
 
-/* No line in this frame: the last result for a while, then nothing. */
-static void repeat_last(iris_follow_result *result, iris_follow *follow, uint32_t now_ms)
-{
-    if (follow->seen && now_ms - follow->seen_ms <= (uint32_t)follow->config.hold_ms) {
-        *result = follow->last;
-        result->state = IRIS_LINE_STALE;
-        result->rows = NULL;
-    } else {
-        follow->seen = 0;
-    }
-}
-
 iris_status iris_follow_end(iris_follow_result *result, iris_follow *follow, uint32_t now_ms)
 {
     static const iris_follow_result lost = {.state = IRIS_LINE_LOST};
@@ -153,19 +149,21 @@ iris_status iris_follow_end(iris_follow_result *result, iris_follow *follow, uin
     if (follow->y < 0) {
         return IRIS_ERR_RANGE;
     }
+    follow->y = -1;
     *result = lost;
     int32_t line = iris_follow_choose(follow);
-    int32_t other = line >= 0 && follow->config.lane ? iris_follow_choose(follow) : -1;
-    if (line >= 0 && (other >= 0 || !follow->config.lane) &&
-        iris_follow_describe(result, follow, line, other)) {
+    if (line >= 0 && follow->describe(result, follow, line)) {
         result->state = IRIS_LINE_FOUND;
         follow->last = *result;
         follow->seen = 1;
         follow->seen_ms = now_ms;
+    } else if (follow->seen && now_ms - follow->seen_ms <= (uint32_t)follow->config.hold_ms) {
+        *result = follow->last;
+        result->state = IRIS_LINE_STALE;
+        result->rows = NULL;
     } else {
-        repeat_last(result, follow, now_ms);
+        follow->seen = 0;
     }
-    follow->y = -1;
     return IRIS_OK;
 }
 

@@ -18,22 +18,24 @@ typedef struct iris_follow_chain {
     int16_t used;                    /* 1: it belongs to a line that was chosen before */
 } iris_follow_chain;
 
-/* follow.c: what both kinds of init share. config is checked; *follow may be half made on errors. */
-iris_status iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config,
-                                iris_scratch *scratch);
+/* follow.c: what both kinds of init share: first the size and the config or its defaults, then, once the format is known to
+ * fit, the checks of both, what follows from them, and the memory. On errors *follow is half made. */
+void iris_follow_configure(iris_follow *follow, iris_size size, const iris_follow_config *config);
+iris_status iris_follow_prepare(iris_follow *follow, iris_scratch *scratch);
 
 /* What becomes of the chosen chains. */
 typedef struct {
+    iris_follow_result *result;
     iris_follow *follow;
     iris_span *spans; /* per row; overlays follow->runs */
     int16_t *twice_x; /* per row, twice the center or IRIS_REGRESS_NONE; overlays follow->owner */
     int is_lane;
-    int32_t left_end, right_end; /* of a lane: the chains of its two lines that are nearest to the robot */
-    int32_t top, bottom;         /* first and last row of the line */
+    int32_t rows;                /* that show the line */
+    int32_t top, bottom;         /* the first and last of them */
     int32_t upright_top;         /* rows upright_top to bottom are fitted by row centers */
     int32_t bar_top, bar_bottom; /* rows that lie across; bar_bottom < bar_top: none */
     int32_t width;               /* of the line near the robot */
-    int32_t bottom_x_q16;        /* where the nearest piece, a straight one, meets the bottom row */
+    int32_t bottom_x_q12;        /* where the nearest piece, a straight one, meets the bottom row */
 } iris_follow_shape;
 
 static inline int32_t iris_span_width(iris_span span)
@@ -57,20 +59,35 @@ void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
  * used: the farthest chain, then .next towards the robot. Returns the farthest chain's number, or -1 when no line is left. */
 int32_t iris_follow_choose(iris_follow *follow);
 
-/* follow_spans.c: one span per row of the line, or of the lane between two (other >= 0). */
-void iris_follow_gather(iris_follow_shape *s, int32_t line, int32_t other);
+/* follow_spans.c: the run of row y that belongs to the line whose chain `*chain` covers the rows around y, or an empty one.
+ * Rows are asked for in order from the top; *chain moves on towards the robot. */
+iris_span iris_follow_run(const iris_follow *follow, int32_t y, int32_t *chain);
 
-/* The mean width of the nearest `rows` rows that have the line. */
-int32_t iris_follow_mean_width(const iris_follow_shape *s, int32_t rows);
+/* Makes span row y's, empty for a row in which the line is not seen. Rows come in order from the top: the spans take the place
+ * of the runs, row y's is written to where row y / 4's runs were, which are not needed any more. */
+void iris_follow_put_span(iris_follow_shape *s, int32_t y, iris_span span);
+
+/* Of row y; 0 when it does not show the line. */
+int32_t iris_follow_width(const iris_follow_shape *s, int32_t y);
+
+/* The mean width of the rows that are not wider than `widest`, or widest when all are. */
+int32_t iris_follow_mean_width(const iris_follow_shape *s, int32_t widest);
+
+/* From the leftmost to the rightmost column of the rows first to last. */
+iris_span iris_follow_hull(const iris_follow_shape *s, int32_t first, int32_t last);
 
 /* follow_bend.c: tells crossing lines, which are bridged, from bends, which become the bar; sets width. */
 void iris_follow_find_bend(iris_follow_shape *s);
 
-/* The straight line through the bar. */
-iris_status iris_follow_fit_bar(iris_line *line, const iris_follow_shape *s);
+/* follow_shape.c: a shape without rows. */
+iris_follow_shape iris_follow_shape_of(iris_follow_result *result, iris_follow *follow);
 
-/* follow_shape.c: from the chosen chains to the result: one line, or (other >= 0) the lane between two. Returns 0 when two
- * lines have no row between them. */
-int iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other);
+/* From the spans to the result: the upright rows, the bar, and all numbers. */
+void iris_follow_describe_shape(iris_follow_shape *s);
+
+/* What follow->describe is: from the chosen chains to the result. Returns 0 when there is none. follow_lane.c: the lane
+ * between this line and the next best. */
+int iris_follow_describe_line(iris_follow_result *result, iris_follow *follow, int32_t line);
+int iris_follow_describe_lane(iris_follow_result *result, iris_follow *follow, int32_t line);
 
 #endif

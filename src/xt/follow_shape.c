@@ -1,187 +1,182 @@
-/* From the chosen chains to the result: one span per row, straight segments, angle, offsets, and bends. */
+/* From one span per row to the result: straight segments, angle, offsets, and bends. */
 #include "follow_parts.h"
 
 #define NONE      IRIS_REGRESS_NONE
 #define NO_COLUMN INT32_MIN
-
-/* A line that is much wider than high lies across as a whole. */
-static int lies_across(const iris_follow_shape *s)
-{
-    int32_t area = 0, rows = 0;
-    for (int32_t y = s->top; y <= s->bottom; y++) {
-        area += iris_span_width(s->spans[y]);
-        rows += iris_span_width(s->spans[y]) > 0;
-    }
-    return area / rows > (s->bottom - s->top + 1) * 3 / 2;
-}
-
-/* Is the line made of pieces that are hardly longer than wide? */
-static int has_dashes(const iris_follow_shape *s, int32_t chain)
-{
-    int32_t pieces = 0, rows = 0, area = 0;
-    for (; chain >= 0; chain = s->follow->chains[chain].next) {
-        pieces++;
-        rows += s->follow->chains[chain].rows;
-        area += s->follow->chains[chain].area;
-    }
-    int32_t gaps = s->bottom - s->top + 1 - rows;
-    return pieces > 1 && gaps * 8 >= rows && rows * rows * 2 / (pieces * 3) < area;
-}
 
 static int is_cut(const iris_follow_shape *s, iris_span span)
 {
     return !s->is_lane && (span.left == 0) != (span.right == s->follow->size.w - 1);
 }
 
-/* Centers of the rows. Where a side of the image cuts the line, its hidden half is put back: behind a whole row, lines look
- * as wide as there or narrower. Cut rows nearer than any whole one are left out, unless there are only such. */
-static void find_centers(iris_follow_shape *s)
+/* Centers of the upright rows. Where a side of the image cuts the line, its hidden half is put back: behind a whole row, lines
+ * look as wide as there or narrower. Cut rows nearer than any whole one are left out. Returns 0 when there are only such. */
+static int find_centers(iris_follow_shape *s)
 {
-    int32_t whole = 0, whole_rows = 0;
-    for (int32_t y = s->upright_top; y <= s->bottom; y++) {
-        whole_rows += iris_span_width(s->spans[y]) > 0 && !is_cut(s, s->spans[y]);
-    }
-    for (int32_t y = s->follow->size.h - 1; y >= 0; y--) {
+    int32_t whole = 0;
+    for (int32_t y = s->bottom; y >= s->upright_top; y--) {
         iris_span span = s->spans[y];
-        int32_t center = span.left + span.right;
-        if (is_cut(s, span) && whole_rows > 0) {
-            center = iris_span_width(span) >= whole ? NONE
-                     : span.left == 0               ? 2 * span.right - whole
-                                                    : 2 * span.left + whole;
+        int32_t width = iris_span_width(span), center = span.left + span.right;
+        if (width > 0 && !is_cut(s, span)) {
+            whole = width;
+        } else if (width >= whole || width == 0) {
+            center = NONE;
         } else {
-            whole = iris_span_width(span) > 0 ? iris_span_width(span) : whole;
+            center += span.left == 0 ? width - whole : whole - width;
         }
-        s->twice_x[y] = (int16_t)(iris_span_width(span) > 0 ? center : NONE);
+        s->twice_x[y] = (int16_t)center;
     }
-    while (s->bottom > s->upright_top && s->twice_x[s->bottom] == NONE) {
-        s->bottom--;
+    return whole;
+}
+
+static void find_centers_of_cut_rows(iris_follow_shape *s)
+{
+    for (int32_t y = s->upright_top; y <= s->bottom; y++) {
+        iris_span span = s->spans[y];
+        s->twice_x[y] = (int16_t)(iris_span_width(span) > 0 ? span.left + span.right : NONE);
     }
 }
 
-/* Columns and rows outside of the image are kept within reach of 32 bits. */
-static int32_t within_reach(int64_t q16)
+/* Column of a line in row y, within 80 degrees of upright; the line's center is in the image. */
+static int32_t line_x_q12(const iris_line *line, int32_t y)
 {
-    const int64_t reach = (int64_t)2 * IRIS_FOLLOW_SIDE_MAX * 65536;
-    return (int32_t)(q16 > reach ? reach : q16 < -reach ? -reach : q16);
-}
-
-/* Column of a line in row y. Lines near the level have none: the caller asks only for |angle| below 80 degrees. */
-static int32_t line_x_q16(const iris_line *line, int32_t y)
-{
-    int32_t tangent_q16 = line->dx / (line->dy >> 16);
-    int64_t aside = ((int64_t)(y * 65536 - line->y_q16) * tangent_q16) >> 16;
-    return within_reach(line->x_q16 + aside);
+    int32_t tangent_q12 = line->dx / (line->dy >> 12);
+    int32_t rows_q2 = y * 4 - ((line->y_q16 + 8192) >> 14);
+    return ((line->x_q16 >> 2) + rows_q2 * tangent_q12) >> 2;
 }
 
 static int32_t line_x(const iris_line *line, int32_t y)
 {
-    return (line_x_q16(line, y) + 32768) >> 16;
+    return (line_x_q12(line, y) + 2048) >> 12;
 }
-
-/* Row of a line in column x, for lines that lie across. */
-static int32_t line_y(const iris_line *line, int32_t x)
-{
-    int32_t slope_q16 = line->dx >> 16 != 0 ? line->dy / (line->dx >> 16) : 0;
-    int64_t aside = ((int64_t)(x * 65536 - line->x_q16) * slope_q16) >> 16;
-    return (within_reach(line->y_q16 + aside) + 32768) >> 16;
-}
-
-#define STEEP ((iris_angle)14563) /* 80 degrees */
 
 static int is_level(const iris_line *line)
 {
+    enum { STEEP = 14563 }; /* 80 degrees */
     return line->angle > STEEP || line->angle < -STEEP;
 }
 
-/* Fewer rows with the line have no direction of their own. */
+/* A piece with fewer rows has no direction worth telling. */
 static int32_t least_rows(const iris_follow_shape *s)
 {
-    return s->follow->size.h / 16 > 4 ? s->follow->size.h / 16 : 4;
+    int32_t rows = s->follow->size.h / 16;
+    return rows > 4 ? rows : 4;
 }
 
-/* The row between y0 and y1 (y0 > y1) whose center is farthest from their chord, at least `margin` rows from either; -1 when
- * none is farther than *most, which is twice the distance in pixels and becomes that row's. */
-static int32_t farthest_row(const iris_follow_shape *s, int32_t y0, int32_t y1, int32_t margin, int32_t *most)
+/* The row between y0 and y1 (y0 > y1) whose center is farthest from their chord, if that is far and not too near to either;
+ * else -1. */
+static int32_t farthest_row(const iris_follow_shape *s, int32_t y0, int32_t y1)
 {
-    int32_t at = -1;
-    int32_t chord_q12 = s->twice_x[y0] * 4096;
-    int32_t step_q12 = y0 > y1 ? (s->twice_x[y1] - s->twice_x[y0]) * 4096 / (y0 - y1) : 0;
-    for (int32_t y = y0; y >= y1 + margin; y--, chord_q12 += step_q12) {
-        int32_t off = s->twice_x[y] - (chord_q12 >> 12);
+    int32_t margin = least_rows(s), at = -1;
+    int32_t most = s->width / 2 > 4 ? s->width / 2 : 4; /* twice the distance */
+    if (y0 - y1 < 2 * margin) {
+        return -1;
+    }
+    int32_t step_q12 = (s->twice_x[y1] - s->twice_x[y0]) * 4096 / (y0 - y1);
+    for (int32_t y = y0 - margin; y >= y1 + margin; y--) {
+        int32_t off = s->twice_x[y] - s->twice_x[y0] - (step_q12 * (y0 - y) >> 12);
         off = off < 0 ? -off : off;
-        if (off > *most && s->twice_x[y] != NONE && y <= y0 - margin) {
+        if (off > most && s->twice_x[y] != NONE) {
             at = y;
-            *most = off;
+            most = off;
         }
     }
     return at;
 }
 
-/* Splits rows bottom to upright_top into straight pieces: the piece that bends most is split where it bends most.
- * breaks[0] is the bottom, breaks[count] the top. Returns the count. */
-static int32_t split(const iris_follow_shape *s, int32_t *breaks)
+static void add_segment(iris_follow_shape *s, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
-    int32_t count = 1;
-    int32_t tolerance = s->width / 2 > 4 ? s->width / 2 : 4;
-    breaks[0] = s->bottom;
-    breaks[1] = s->upright_top;
-    while (breaks[1] < s->bottom && s->twice_x[breaks[1]] == NONE) {
-        breaks[1]++;
-    }
-    while (count < IRIS_FOLLOW_SEGMENTS_MAX - 1) {
-        int32_t at = -1, piece = 0, most = tolerance;
-        for (int32_t k = 0; k < count; k++) {
-            int32_t row = farthest_row(s, breaks[k], breaks[k + 1], least_rows(s), &most);
-            at = row >= 0 ? row : at;
-            piece = row >= 0 ? k : piece;
-        }
-        if (at < 0) {
-            break;
-        }
-        for (int32_t k = count; k > piece; k--) {
-            breaks[k + 1] = breaks[k];
-        }
-        breaks[piece + 1] = at;
-        count++;
-    }
-    return count;
+    s->result->segments[s->result->segment_count++] = (iris_segment){x0, y0, x1, y1};
 }
 
-static void add_segment(iris_follow_result *result, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
+/* The straight piece from row y0 up to row y1. */
+static void describe_piece(iris_follow_shape *s, int32_t y0, int32_t y1)
 {
-    if (result->segment_count < IRIS_FOLLOW_SEGMENTS_MAX) {
-        iris_segment segment = {x0, y0, x1, y1};
-        result->segments[result->segment_count++] = segment;
+    iris_line line;
+    if (s->follow->fit(&line, s->follow, s->twice_x, y1, y0) != IRIS_OK ||
+        (y0 == s->bottom && y1 != s->upright_top && line.points < least_rows(s))) {
+        return;
+    }
+    if (is_level(&line)) {
+        add_segment(s, s->twice_x[y0] / 2, y0, s->twice_x[y1] / 2, y1);
+    } else {
+        add_segment(s, line_x(&line, y0), y0, line_x(&line, y1), y1);
+    }
+    if (s->result->segment_count == 1) {
+        s->result->angle = line.angle;
+        s->bottom_x_q12 = is_level(&line) ? NO_COLUMN : line_x_q12(&line, s->follow->size.h - 1);
     }
 }
 
-/* The bar as a segment, from the side where the line comes in to the side where it goes. `from` is twice the
- * column where the line comes in. Returns the direction: the bar's angle, towards the longer arm. */
-static iris_angle describe_bar(iris_follow_result *result, const iris_follow_shape *s, const iris_line *bar,
-                               int32_t from)
+/* Splits rows bottom to upright_top into straight pieces, where they bend most, and leaves room for the bar. */
+static void describe_upright(iris_follow_shape *s)
 {
-    int32_t left = s->follow->size.w, right = -1;
-    for (int32_t y = s->bar_top; y <= s->bar_bottom; y++) {
-        if (iris_span_width(s->spans[y]) > 0) {
-            left = s->spans[y].left < left ? s->spans[y].left : left;
-            right = s->spans[y].right > right ? s->spans[y].right : right;
+    enum { PIECES_MAX = IRIS_FOLLOW_SEGMENTS_MAX - 1 };
+    int32_t ends[PIECES_MAX]; /* of the nearest `ahead` pieces, the nearest last */
+    int32_t ahead = 1, pieces = 1, near = s->bottom;
+    ends[0] = s->upright_top;
+    while (ahead > 0) {
+        int32_t end = ends[ahead - 1];
+        int32_t at = pieces < PIECES_MAX ? farthest_row(s, near, end) : -1;
+        if (at >= 0) {
+            ends[ahead++] = at;
+            pieces++;
+        } else {
+            describe_piece(s, near, end);
+            near = end;
+            ahead--;
         }
     }
-    int32_t to_right = 2 * right - from >= from - 2 * left;
-    int32_t x0 = to_right ? left : right, x1 = to_right ? right : left;
-    add_segment(result, x0, line_y(bar, x0), x1, line_y(bar, x1));
-    if (to_right != (bar->angle >= 0)) {
-        return (iris_angle)(bar->angle >= 0 ? -16384
-                                            : 16384); /* it comes back a little: straight to the side */
+}
+
+/* Twice the middle of the bar's rows that cover column x; of all its rows when none does. */
+static int32_t twice_middle(const iris_follow_shape *s, int32_t x)
+{
+    int32_t first = s->bar_top, last = s->bar_bottom;
+    while (first < s->bar_bottom && (s->spans[first].left > x || s->spans[first].right < x)) {
+        first++;
     }
-    return bar->angle;
+    while (last > s->bar_top && (s->spans[last].left > x || s->spans[last].right < x)) {
+        last--;
+    }
+    return first + last;
+}
+
+/* The bar as a segment, from the side where the line comes in to the side of its longer arm. It runs through the centers of
+ * its left and its right half, each the mean over eight columns. */
+static void describe_bar(iris_follow_shape *s)
+{
+    enum { COLUMNS = 16 };
+    iris_follow_result *result = s->result;
+    iris_span hull = iris_follow_hull(s, s->bar_top, s->bar_bottom);
+    int upright = s->upright_top <= s->bottom;
+    int32_t sums[2] = {0, 0}, columns = hull.right - hull.left;
+    for (int32_t k = 0; k < COLUMNS; k++) {
+        sums[k / (COLUMNS / 2)] += twice_middle(s, hull.left + columns * (2 * k + 1) / (2 * COLUMNS));
+    }
+    int32_t middle = (sums[0] + sums[1]) / (2 * COLUMNS), rise = sums[0] - sums[1];
+    int32_t from = upright ? s->twice_x[s->upright_top] : s->follow->size.w - 1;
+    int32_t x0 = hull.left, x1 = hull.right;
+    if (hull.left + hull.right < from) {
+        x0 = hull.right;
+        x1 = hull.left;
+        rise = -rise;
+    }
+    add_segment(s, x0, middle + rise / COLUMNS, x1, middle - rise / COLUMNS);
+    int32_t across = (x1 - x0) * (COLUMNS / 2);
+    result->has_next = upright;
+    if (upright) { /* where it comes back a little: straight to the side */
+        result->next_angle = iris_atan2_angle(across, rise < 0 ? 0 : rise);
+    } else {
+        result->angle = rise < 0 ? iris_atan2_angle(-across, -rise) : iris_atan2_angle(across, rise);
+    }
 }
 
 /* Row y's center on the found segments: within a segment or the gap between two, or on the nearest one
  * extended. */
-static int32_t segments_x_q16(const iris_follow_result *result, int32_t y)
+static int32_t segments_x_q12(const iris_follow_result *result, int32_t y)
 {
-    const iris_segment *best = NULL;
+    const iris_segment *best = result->segments;
     int32_t least = INT32_MAX;
     for (int32_t k = 0; k < result->segment_count; k++) {
         const iris_segment *segment = &result->segments[k];
@@ -191,160 +186,122 @@ static int32_t segments_x_q16(const iris_follow_result *result, int32_t y)
             least = away;
         }
     }
-    int32_t rows = best->y1 - best->y0, columns = best->x1 - best->x0;
-    if (rows == 0 || columns > 4 * -rows || columns < 4 * rows) { /* level: no row but its own */
-        return (best->x0 + best->x1) * 32768;
+    int32_t rows = best->y0 - best->y1, columns = best->x1 - best->x0;
+    if (rows <= 0 || columns > 4 * rows || columns < -4 * rows) { /* level: no row but its own */
+        return (best->x0 + best->x1) * 2048;
     }
-    return within_reach(best->x0 * 65536 + (int64_t)(columns * 65536 / rows) * (y - best->y0));
+    return best->x0 * 4096 + columns * 4096 / rows * (best->y0 - y);
 }
 
-static iris_q16 offset_of(const iris_follow *follow, int32_t x_q16)
+static iris_q16 offset_of(const iris_follow_shape *s, int32_t x_q12)
 {
-    int32_t middle = (follow->size.w - 1) * 32768;
-    int32_t limit = follow->size.w * 65536; /* twice the half width to each side */
-    int32_t away = x_q16 - middle;
+    int32_t w = s->follow->size.w;
+    int32_t limit = w * 4096; /* twice the half width to each side */
+    int32_t away = x_q12 - (w - 1) * 2048;
     away = away > limit ? limit : away < -limit ? -limit : away;
-    return away / follow->size.w * 2;
+    return away * 32 / w;
 }
 
-/* The row's own center when it has one, else the segments' column there. */
-static iris_q16 offset_at(const iris_follow_result *result, const iris_follow_shape *s, int32_t y)
+iris_follow_shape iris_follow_shape_of(iris_follow_result *result, iris_follow *follow)
 {
-    int32_t x_q16 = iris_span_width(s->spans[y]) > 0 ? (s->spans[y].left + s->spans[y].right) * 32768
-                                                     : segments_x_q16(result, y);
-    return offset_of(s->follow, x_q16);
+    return (iris_follow_shape){.result = result,
+                               .follow = follow,
+                               .spans = follow->runs,
+                               .twice_x = (int16_t *)(void *)follow->owner,
+                               .bar_bottom = -1,
+                               .bottom_x_q12 = NO_COLUMN};
 }
 
-static void describe_upright(iris_follow_result *result, iris_follow_shape *s)
+static void describe_solid(iris_follow_shape *s)
 {
-    int32_t breaks[IRIS_FOLLOW_SEGMENTS_MAX + 1];
-    int32_t count = split(s, breaks);
-    for (int32_t k = 0; k < count; k++) {
-        iris_line line;
-        int32_t y0 = breaks[k], y1 = breaks[k + 1];
-        if (s->follow->fit(&line, s->follow, s->twice_x, y1, y0) != IRIS_OK ||
-            (k == 0 && count > 1 && line.points < least_rows(s))) {
-            continue;
-        }
-        if (is_level(&line)) {
-            add_segment(result, s->twice_x[y0] / 2, y0, s->twice_x[y1] / 2, y1);
-        } else {
-            add_segment(result, line_x(&line, y0), y0, line_x(&line, y1), y1);
-        }
-        if (result->segment_count == 1) {
-            result->angle = line.angle;
-            s->bottom_x_q16 = is_level(&line) ? NO_COLUMN : line_x_q16(&line, s->follow->size.h - 1);
-        }
+    if (!find_centers(s)) {
+        find_centers_of_cut_rows(s);
+    }
+    while (s->bottom > s->upright_top && s->twice_x[s->bottom] == NONE) {
+        s->bottom--;
+    }
+    while (s->upright_top < s->bottom && s->twice_x[s->upright_top] == NONE) {
+        s->upright_top++;
+    }
+    describe_upright(s);
+    if (s->bar_bottom >= s->bar_top) {
+        describe_bar(s);
+    }
+    if (s->result->segment_count == 0) { /* a line without a direction, such as a single row */
+        int32_t x = (s->spans[s->bottom].left + s->spans[s->bottom].right) / 2;
+        add_segment(s, x, s->bottom, x, s->top);
     }
 }
 
-/* Center of a piece of line, pixels. */
-static void center_of_chain(const iris_follow_shape *s, const iris_follow_chain *chain, int32_t *x,
-                            int32_t *y)
+/* The numbers that do not depend on how the segments were found. */
+static void finish(iris_follow_shape *s, int32_t height)
 {
-    int32_t rows = 0, sum_x = 0, sum_y = 0;
-    for (int32_t row = chain->top_y; row <= chain->bottom_y; row++) {
-        if (iris_span_width(s->spans[row]) > 0) {
-            rows++;
-            sum_x += s->spans[row].left + s->spans[row].right;
-            sum_y += row;
-        }
-    }
-    *x = rows > 0 ? sum_x / (2 * rows) : 0;
-    *y = rows > 0 ? sum_y / rows : 0;
+    iris_follow_result *result = s->result;
+    int32_t h = s->follow->size.h, ahead = (h - 1) * s->follow->config.lookahead_permil / 1000;
+    int32_t ahead_q12 = iris_follow_width(s, ahead) > 0
+                            ? (s->spans[ahead].left + s->spans[ahead].right) * 2048
+                            : segments_x_q12(result, ahead);
+    result->offset_q16 =
+        offset_of(s, s->bottom_x_q12 != NO_COLUMN ? s->bottom_x_q12 : segments_x_q12(result, h - 1));
+    result->lookahead_offset_q16 = offset_of(s, ahead_q12);
+    result->width_px = iris_follow_mean_width(s, INT32_MAX);
+    result->confidence_permil = s->rows * 1000 / (height > h / 2 ? height : h / 2);
+    result->rows = s->spans;
 }
 
-/* The nearest piece first: the list's far end is its start, so the segments are made in that order and then turned around. */
-static void describe_dashes(iris_follow_result *result, iris_follow_shape *s, int32_t farthest)
+void iris_follow_describe_shape(iris_follow_shape *s)
 {
-    const iris_follow_chain *chains = s->follow->chains;
-    int32_t pieces = 0, skip = 0, x1, y1;
-    for (int32_t c = farthest; c >= 0; c = chains[c].next) {
-        pieces++;
+    int32_t height = s->bottom - s->top + 1;
+    if (s->result->segment_count == 0) {
+        describe_solid(s);
     }
-    for (skip = pieces - 1 - IRIS_FOLLOW_SEGMENTS_MAX; skip > 0; skip--) {
-        farthest = chains[farthest].next;
-    }
-    center_of_chain(s, &chains[farthest], &x1, &y1);
-    for (int32_t c = chains[farthest].next; c >= 0; c = chains[c].next) {
-        int32_t x0, y0;
-        center_of_chain(s, &chains[c], &x0, &y0);
-        add_segment(result, x0, y0, x1, y1);
-        x1 = x0;
-        y1 = y0;
-    }
-    for (int32_t i = 0, j = result->segment_count - 1; i < j; i++, j--) {
-        iris_segment kept = result->segments[i];
-        result->segments[i] = result->segments[j];
-        result->segments[j] = kept;
+    finish(s, height);
+}
+
+/* A line of dashes goes through their centers. The list of chains starts at the far end. */
+static void describe_dashes(iris_follow_shape *s, const iris_follow_chain *far, int32_t count)
+{
+    iris_follow_result *result = s->result;
+    result->segment_count = count < IRIS_FOLLOW_SEGMENTS_MAX ? count : IRIS_FOLLOW_SEGMENTS_MAX;
+    while (count-- > 0) {
+        const iris_follow_chain *near = &s->follow->chains[far->next];
+        if (count < IRIS_FOLLOW_SEGMENTS_MAX) {
+            result->segments[count] = (iris_segment){
+                (near->top.left + near->top.right + near->bottom.left + near->bottom.right) / 4,
+                (near->top_y + near->bottom_y) / 2,
+                (far->top.left + far->top.right + far->bottom.left + far->bottom.right) / 4,
+                (far->top_y + far->bottom_y) / 2};
+        }
+        far = near;
     }
     const iris_segment *near = &result->segments[0];
     result->angle = iris_atan2_angle(near->x1 - near->x0, near->y0 - near->y1);
 }
 
-static int32_t confidence(const iris_follow_shape *s)
+int iris_follow_describe_line(iris_follow_result *result, iris_follow *follow, int32_t line)
 {
-    int32_t rows = 0, pixels_high = s->bottom - s->top + 1;
-    for (int32_t y = s->top; y <= s->bottom; y++) {
-        rows += iris_span_width(s->spans[y]) > 0;
+    iris_follow_shape s = iris_follow_shape_of(result, follow);
+    int32_t chain = line, pieces = 1;
+    while (follow->chains[chain].next >= 0) {
+        chain = follow->chains[chain].next;
+        pieces++;
     }
-    int32_t enough = s->follow->size.h / 2;
-    int32_t reach = pixels_high > enough ? 1000 : pixels_high * 1000 / enough;
-    return reach * rows / pixels_high;
-}
-
-static void describe_solid(iris_follow_result *result, iris_follow_shape *s)
-{
-    if (s->is_lane) {
-        s->width = iris_follow_mean_width(s, 8);
-    } else if (lies_across(s)) {
-        s->bar_top = s->top;
-        s->bar_bottom = s->bottom;
-        s->upright_top = s->bottom + 1;
-    } else {
-        iris_follow_find_bend(s);
+    chain = line;
+    for (int32_t y = 0; y < follow->size.h; y++) {
+        iris_follow_put_span(&s, y, iris_follow_run(follow, y, &chain));
     }
-    find_centers(s);
-    describe_upright(result, s);
-    iris_line bar;
-    if (s->bar_bottom >= s->bar_top && iris_follow_fit_bar(&bar, s) == IRIS_OK) {
-        int upright = s->upright_top <= s->bottom;
-        int32_t from = upright ? s->twice_x[s->upright_top] : s->follow->size.w - 1;
-        iris_angle direction = describe_bar(result, s, &bar, from);
-        result->has_next = upright;
-        result->next_angle = upright ? direction : 0;
-        result->angle = upright ? result->angle : bar.angle;
-    }
-}
-
-int iris_follow_describe(iris_follow_result *result, iris_follow *follow, int32_t line, int32_t other)
-{
-    iris_follow_shape s = {
-        .follow = follow, .spans = follow->runs, .twice_x = (int16_t *)(void *)follow->owner};
-    s.is_lane = other >= 0;
-    s.bar_bottom = -1;
-    s.bottom_x_q16 = NO_COLUMN;
-    iris_follow_gather(&s, line, other);
-    if (s.top > s.bottom) {
-        return 0;
-    }
+    int32_t height = s.bottom - s.top + 1, gaps = height - s.rows;
     s.upright_top = s.top;
-    if (!s.is_lane && has_dashes(&s, line)) {
-        describe_dashes(result, &s, line);
+    s.width = iris_follow_mean_width(&s, INT32_MAX);
+    if (pieces > 1 && gaps * 8 >= s.rows && s.rows * 2 < s.width * pieces * 3) { /* hardly longer than wide */
+        describe_dashes(&s, &follow->chains[line], pieces - 1);
+    } else if (s.width > height * 3 / 2) { /* lies across as a whole */
+        s.bar_top = s.top;
+        s.bar_bottom = s.bottom;
+        s.upright_top = s.bottom + 1;
     } else {
-        describe_solid(result, &s);
+        iris_follow_find_bend(&s);
     }
-    if (result->segment_count == 0) { /* a line without a direction, such as a single row */
-        int32_t x = (s.spans[s.bottom].left + s.spans[s.bottom].right) / 2;
-        add_segment(result, x, s.bottom, x, s.top);
-    }
-    int32_t ahead = (follow->size.h - 1) * follow->config.lookahead_permil / 1000;
-    result->width_px = iris_follow_mean_width(&s, follow->size.h);
-    int32_t bottom_q16 =
-        s.bottom_x_q16 != NO_COLUMN ? s.bottom_x_q16 : segments_x_q16(result, follow->size.h - 1);
-    result->offset_q16 = offset_of(follow, bottom_q16);
-    result->lookahead_offset_q16 = offset_at(result, &s, ahead);
-    result->confidence_permil = confidence(&s);
-    result->rows = s.spans;
+    iris_follow_describe_shape(&s);
     return 1;
 }

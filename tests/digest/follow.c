@@ -46,8 +46,9 @@ static void drive(const iris_follow_config *config, int32_t sign, int32_t bytes)
 {
     iris_follow *follow = digest_take(sizeof *follow);
     uint8_t *row = digest_take((size_t)(W * bytes));
-    iris_scratch scratch = digest_scratch(IRIS_FOLLOW_SCRATCH_BYTES(W, H));
-    digest_number(iris_follow_init(follow, (iris_size){W, H}, config, &scratch));
+    iris_scratch scratch = digest_scratch(IRIS_FOLLOW_FULL_SCRATCH_BYTES(W, H));
+    digest_number(bytes == 1 ? iris_follow_init(follow, (iris_size){W, H}, config, &scratch)
+                             : iris_follow_init_full(follow, (iris_size){W, H}, config, &scratch));
     for (int32_t t = 0; t < 6; t++) {
         iris_follow_result result = {0};
         digest_number(iris_follow_begin(follow));

@@ -49,13 +49,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
     iris_scratch scratch;
     iris_follow follow;
     iris_follow_result result;
-    int gray = config.format == IRIS_GRAY8 && config.kind != IRIS_FOLLOW_COLOR;
+    int gray = config.format == IRIS_GRAY8 && config.kind != IRIS_FOLLOW_COLOR && config.lane != 1;
     size_t room_for =
-        gray ? IRIS_FOLLOW_SCRATCH_BYTES(size.w, size.h) : IRIS_FOLLOW_COLOR_SCRATCH_BYTES(size.w, size.h);
+        gray ? IRIS_FOLLOW_SCRATCH_BYTES(size.w, size.h) : IRIS_FOLLOW_FULL_SCRATCH_BYTES(size.w, size.h);
     void *memory = malloc(room_for); /* malloc's alignment is enough, and its end is watched */
     iris_scratch_init(&scratch, memory, room_for);
     iris_status status = gray ? iris_follow_init(&follow, size, &config, &scratch)
-                              : iris_follow_init_color(&follow, size, &config, &scratch);
+                              : iris_follow_init_full(&follow, size, &config, &scratch);
     if (status != IRIS_OK) {
         free(memory);
         return 0;

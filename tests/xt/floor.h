@@ -71,7 +71,7 @@ static inline void mirror(floor_picture *picture)
 /* A follower with its memory. */
 typedef struct {
     iris_follow follow;
-    IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_COLOR_SCRATCH_BYTES(FLOOR_W, FLOOR_H));
+    IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_FULL_SCRATCH_BYTES(FLOOR_W, FLOOR_H));
 } test_follower;
 
 static void start(test_follower *follower, const iris_follow_config *config)
@@ -80,7 +80,7 @@ static void start(test_follower *follower, const iris_follow_config *config)
     assert_int_equal(iris_scratch_init(&scratch, follower->memory.memory, sizeof follower->memory.memory),
                      IRIS_OK);
     assert_int_equal(
-        iris_follow_init_color(&follower->follow, (iris_size){FLOOR_W, FLOOR_H}, config, &scratch), IRIS_OK);
+        iris_follow_init_full(&follower->follow, (iris_size){FLOOR_W, FLOOR_H}, config, &scratch), IRIS_OK);
 }
 
 static void feed(iris_follow_result *result, test_follower *follower, floor_picture *picture, uint32_t now_ms)

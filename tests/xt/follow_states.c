@@ -128,24 +128,24 @@ static void memory_is_exact(void **state)
 {
     (void)state;
     const iris_size sizes[] = {{160, 120}, {8, 8}, {33, 9}, {321, 57}, {640, 480}};
-    static IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_COLOR_SCRATCH_BYTES(640, 480));
+    static IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_FULL_SCRATCH_BYTES(640, 480));
     static iris_follow kept, made;
     iris_scratch scratch;
     for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
         size_t gray = IRIS_FOLLOW_SCRATCH_BYTES(sizes[k].w, sizes[k].h);
-        size_t color = IRIS_FOLLOW_COLOR_SCRATCH_BYTES(sizes[k].w, sizes[k].h);
+        size_t color = IRIS_FOLLOW_FULL_SCRATCH_BYTES(sizes[k].w, sizes[k].h);
         assert_int_equal(iris_scratch_init(&scratch, memory.memory, gray), IRIS_OK);
         assert_int_equal(iris_follow_init(&made, sizes[k], NULL, &scratch), IRIS_OK);
         assert_int_equal(scratch.peak, gray);
         assert_int_equal(iris_scratch_init(&scratch, memory.memory, color), IRIS_OK);
-        assert_int_equal(iris_follow_init_color(&made, sizes[k], NULL, &scratch), IRIS_OK);
+        assert_int_equal(iris_follow_init_full(&made, sizes[k], NULL, &scratch), IRIS_OK);
         assert_int_equal(scratch.peak, color);
         made = kept;
         assert_int_equal(iris_scratch_init(&scratch, memory.memory, gray - 1), IRIS_OK);
         assert_int_equal(iris_follow_init(&made, sizes[k], NULL, &scratch), IRIS_ERR_SCRATCH);
         assert_int_equal(scratch.used, 0);
         assert_int_equal(iris_scratch_init(&scratch, memory.memory, color - 1), IRIS_OK);
-        assert_int_equal(iris_follow_init_color(&made, sizes[k], NULL, &scratch), IRIS_ERR_SCRATCH);
+        assert_int_equal(iris_follow_init_full(&made, sizes[k], NULL, &scratch), IRIS_ERR_SCRATCH);
         assert_int_equal(scratch.used, 0);
         assert_memory_equal(&made, &kept, sizeof made);
     }
@@ -177,20 +177,20 @@ static void wrong_calls_are_refused(void **state)
             config.kind = (iris_follow_kind)(k == 10 ? 3 : -1);
         }
         assert_int_equal(iris_follow_init(&follower.follow, size, &config, &scratch), IRIS_ERR_ARG);
-        assert_int_equal(iris_follow_init_color(&follower.follow, size, &config, &scratch), IRIS_ERR_ARG);
+        assert_int_equal(iris_follow_init_full(&follower.follow, size, &config, &scratch), IRIS_ERR_ARG);
     }
     iris_follow_config config;
     iris_follow_defaults(&config);
     config.format = IRIS_RGB888;
     assert_int_equal(iris_follow_init(&follower.follow, size, &config, &scratch), IRIS_ERR_FORMAT);
     config.format = IRIS_MASK1;
-    assert_int_equal(iris_follow_init_color(&follower.follow, size, &config, &scratch), IRIS_ERR_FORMAT);
+    assert_int_equal(iris_follow_init_full(&follower.follow, size, &config, &scratch), IRIS_ERR_FORMAT);
     config.format = IRIS_YUYV;
-    assert_int_equal(iris_follow_init_color(&follower.follow, (iris_size){33, 20}, &config, &scratch),
+    assert_int_equal(iris_follow_init_full(&follower.follow, (iris_size){33, 20}, &config, &scratch),
                      IRIS_ERR_RANGE);
     config.kind = IRIS_FOLLOW_COLOR;
     config.color = (iris_hsl_range){0, 361, 0, 100, 0, 100};
-    assert_int_equal(iris_follow_init_color(&follower.follow, size, &config, &scratch), IRIS_ERR_ARG);
+    assert_int_equal(iris_follow_init_full(&follower.follow, size, &config, &scratch), IRIS_ERR_ARG);
 
     start(&follower, NULL);
     paint_floor(&picture, 200, 6, 1);
@@ -214,7 +214,7 @@ static void wrong_calls_are_refused(void **state)
 static void any_picture_of_any_size_is_answered(void **state)
 {
     (void)state;
-    static IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_COLOR_SCRATCH_BYTES(80, 80));
+    static IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_FULL_SCRATCH_BYTES(80, 80));
     static uint8_t pixels[80 * 80];
     static iris_follow tried;
     uint32_t random = 1;
@@ -237,7 +237,7 @@ static void any_picture_of_any_size_is_answered(void **state)
         config.min_width_permil = 1 + trial % 60;
         config.lookahead_permil = trial % 1001;
         assert_int_equal(iris_scratch_init(&scratch, memory.memory, sizeof memory.memory), IRIS_OK);
-        assert_int_equal(iris_follow_init_color(&tried, size, &config, &scratch), IRIS_OK);
+        assert_int_equal(iris_follow_init_full(&tried, size, &config, &scratch), IRIS_OK);
         assert_int_equal(iris_image_wrap(&frame, pixels, sizeof pixels, size, 0, IRIS_GRAY8), IRIS_OK);
         assert_int_equal(iris_follow_frame(&result, &tried, &frame, 0), IRIS_OK);
         found += result.state == IRIS_LINE_FOUND;

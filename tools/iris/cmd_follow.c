@@ -43,7 +43,7 @@ static const char help[] =
 
 /* Where the library works: enough for the largest frame. */
 static IRIS_SCRATCH_BUFFER(memory,
-                           IRIS_FOLLOW_COLOR_SCRATCH_BYTES(IRIS_FOLLOW_SIDE_MAX, IRIS_FOLLOW_SIDE_MAX) +
+                           IRIS_FOLLOW_FULL_SCRATCH_BYTES(IRIS_FOLLOW_SIDE_MAX, IRIS_FOLLOW_SIDE_MAX) +
                                IRIS_FOLLOW_HOUGH_BYTES);
 
 /* The sequence of frames so far. */
@@ -65,7 +65,7 @@ static int change_size(sequence *s, const char *file, iris_size size)
     iris_scratch scratch;
     const follow_options *options = s->options;
     iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
-    if (iris_follow_init_color(&s->follow, size, &options->line, &scratch) != IRIS_OK) {
+    if (iris_follow_init_full(&s->follow, size, &options->line, &scratch) != IRIS_OK) {
         complain(file, "%dx%d pixels: sides of 8 to %d can be followed", (int)size.w, (int)size.h,
                  IRIS_FOLLOW_SIDE_MAX);
         return EXIT_BAD_DATA;

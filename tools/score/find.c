@@ -8,14 +8,14 @@
 
 found find_line(const iris_image *frame, const iris_follow_config *config)
 {
-    static IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_COLOR_SCRATCH_BYTES(640, 480));
+    static IRIS_SCRATCH_BUFFER(memory, IRIS_FOLLOW_FULL_SCRATCH_BYTES(640, 480));
     static iris_follow follow;
     iris_scratch scratch;
     iris_steer steer;
     iris_command command;
     found result = {0};
     if (iris_scratch_init(&scratch, memory.memory, sizeof memory.memory) != IRIS_OK ||
-        iris_follow_init_color(&follow, (iris_size){frame->w, frame->h}, config, &scratch) != IRIS_OK ||
+        iris_follow_init_full(&follow, (iris_size){frame->w, frame->h}, config, &scratch) != IRIS_OK ||
         iris_follow_frame(&result.line, &follow, frame, 0) != IRIS_OK ||
         iris_steer_init(&steer, NULL) != IRIS_OK ||
         iris_steer_update(&command, &steer, &result.line, 0) != IRIS_OK) {

@@ -60,8 +60,7 @@ typedef struct {
 } iris_follow_config;
 
 typedef struct {
-    int32_t x0, y0, x1,
-        y1; /* pixels; (x0, y0) is the end nearer to the robot. A fitted line's ends may lie beyond
+    int32_t x0, y0, x1, y1; /* pixels; (x0, y0) is the end nearer to the robot. A fitted line's ends may lie beyond
                                the sides of the image. */
 } iris_segment;
 
@@ -87,13 +86,12 @@ typedef struct {
 } iris_follow_result;
 
 /* Working memory for frames of w x h pixels, kept by the follower for its whole life: 3.0 KB for 160x120. The second size is
- * for iris_follow_init_color: 3.5 KB. */
+ * for iris_follow_init_full: 3.5 KB. */
 #define IRIS_FOLLOW_BLOCKS(w) (((size_t)(w) + 7) / 8)
 #define IRIS_FOLLOW_SCRATCH_BYTES(w, h)                                                                      \
-    (IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS * sizeof(iris_span)) +                                  \
-     IRIS_SCRATCH_ROUND((size_t)(h)*IRIS_FOLLOW_RUNS) + IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 32) +        \
-     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_BLOCKS(w) * 2) + IRIS_SCRATCH_ROUND((IRIS_FOLLOW_BLOCKS(w) + 1) * 4))
-#define IRIS_FOLLOW_COLOR_SCRATCH_BYTES(w, h)                                                                \
+    IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 32 + (size_t)(h)*IRIS_FOLLOW_RUNS * (sizeof(iris_span) + 1) +    \
+                       IRIS_FOLLOW_BLOCKS(w) * 6 + 4)
+#define IRIS_FOLLOW_FULL_SCRATCH_BYTES(w, h)                                                                 \
     (IRIS_FOLLOW_SCRATCH_BYTES(w, h) + IRIS_SCRATCH_ROUND(((size_t)(w) + 31) / 32 * 4) +                     \
      IRIS_SCRATCH_ROUND((size_t)(w)*3))
 
@@ -106,8 +104,7 @@ struct iris_follow {
     int32_t min_width;    /* pixels */
     int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
     int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
-    int32_t
-        brighter_q10; /* bright lines: 1 / (1 - contrast), how much brighter than the floor they are at least */
+    int32_t brighter_q10; /* how much brighter than the floor bright lines are at least: 1 / (1 - contrast) */
     int32_t brightness;      /* of the row from which the whole floor was learned */
     int32_t learn_rows;      /* the floor learns every so many rows */
     int32_t rows_to_learn;   /* until it does again */
@@ -121,6 +118,8 @@ struct iris_follow {
     /* Fits a line to the centers of the rows y0 to y1 (twice_x as for iris_regress_rows). */
     iris_status (*fit)(iris_line *line, const iris_follow *follow, const int16_t *twice_x, int32_t y0,
                        int32_t y1);
+    /* From the chosen chains, the farthest first, to the result; returns 0 when there is none. */
+    int (*describe)(iris_follow_result *result, iris_follow *follow, int32_t line);
     iris_hsl_range_test color; /* the range, made ready */
     /* in the caller's working memory: */
     uint16_t *floor;                  /* level of the floor per block of 8 columns, 8 fraction bits */
@@ -139,14 +138,16 @@ void iris_follow_defaults(iris_follow_config *config);
 /* Prepares a follower of dark or bright lines for frames of IRIS_GRAY8 of the given size. config may be null for the
  * defaults; it is copied. The working memory (IRIS_FOLLOW_SCRATCH_BYTES) stays taken.
  * IRIS_ERR_ARG: null pointer, or a config value out of range; IRIS_ERR_RANGE: a side outside 8..IRIS_FOLLOW_SIDE_MAX;
- * IRIS_ERR_FORMAT: the config asks for another format or for a color, see below; IRIS_ERR_SCRATCH. O(w). */
+ * IRIS_ERR_FORMAT: the config asks for another format or for a color, IRIS_ERR_UNSUPPORTED: for a lane, see below;
+ * IRIS_ERR_SCRATCH. O(w). */
 iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_follow_config *config,
                              iris_scratch *scratch);
 
-/* The same for every kind of line and every format of rows (IRIS_FOLLOW_COLOR_SCRATCH_BYTES). It is apart so that firmware
- * with a gray sensor carries no color conversion. IRIS_ERR_FORMAT: rows of a format that cannot be converted. */
-iris_status iris_follow_init_color(iris_follow *follow, iris_size size, const iris_follow_config *config,
-                                   iris_scratch *scratch);
+/* The same for every kind of line, lanes, and every format of rows (IRIS_FOLLOW_FULL_SCRATCH_BYTES). It is apart so that
+ * firmware that follows one line with a gray sensor carries neither color conversion nor lanes. IRIS_ERR_FORMAT: rows of a
+ * format that cannot be converted. */
+iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                  iris_scratch *scratch);
 
 /* From now on straight pieces are fitted by a Hough transform (hough.h) instead of the trimmed regression: of the row centers,
  * within 22 degrees and 16 steps of rho around the untrimmed regression line. It stands more strangers among the rows and costs

@@ -1,4 +1,4 @@
-/* Followers of colored lines, and of rows that are not gray. */
+/* Followers of every kind: colored lines, lanes, and rows that are not gray. */
 #include "follow_parts.h"
 
 static const uint8_t *mark_converted(iris_follow *follow, const void *pixels)
@@ -40,27 +40,29 @@ static int is_convertible(iris_format format)
     }
 }
 
-iris_status iris_follow_init_color(iris_follow *follow, iris_size size, const iris_follow_config *config,
-                                   iris_scratch *scratch)
+iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                  iris_scratch *scratch)
 {
     if (!follow || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_follow made = {.mark = mark_converted};
-    iris_follow_config used;
-    iris_follow_defaults(&used);
-    used = config ? *config : used;
-    if (used.kind == IRIS_FOLLOW_COLOR) {
+    iris_follow made = {.mark = mark_converted, .describe = iris_follow_describe_line};
+    iris_follow_configure(&made, size, config);
+    const iris_follow_config *used = &made.config;
+    if (used->lane) {
+        made.describe = iris_follow_describe_lane;
+    }
+    if (used->kind == IRIS_FOLLOW_COLOR) {
         made.mark = mark_color;
-        if (iris_hsl_range_prepare(&made.color, &used.color) != IRIS_OK) {
+        if (iris_hsl_range_prepare(&made.color, &used->color) != IRIS_OK) {
             return IRIS_ERR_ARG;
         }
     }
-    if (!is_convertible(used.format) || iris_format_row_bytes(used.format, size.w) == 0) {
-        return is_convertible(used.format) ? IRIS_ERR_RANGE : IRIS_ERR_FORMAT;
+    if (!is_convertible(used->format) || iris_format_row_bytes(used->format, size.w) == 0) {
+        return is_convertible(used->format) ? IRIS_ERR_RANGE : IRIS_ERR_FORMAT;
     }
     size_t mark = iris_scratch_mark(scratch);
-    iris_status status = iris_follow_prepare(&made, size, &used, scratch);
+    iris_status status = iris_follow_prepare(&made, scratch);
     if (status != IRIS_OK) {
         return status;
     }
