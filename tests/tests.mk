@@ -60,7 +60,7 @@ START      := $(OUT)/tests/target/startup.o $(OUT)/tests/target/runtime.o
 BOARD      := $(filter-out %/firmware.o $(OUT)/tests/target/test_%,$(TARGET_OBJ))
 FIRMWARE   := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
 .SECONDARY: $(TARGET_OBJ)
-$(OUT)/tests/target/runtime.o: BASE += -fno-tree-loop-distribute-patterns # memcpy is not a loop that calls memcpy
+$(OUT)/tests/target/runtime.o: BASE += -fno-lto -fno-tree-loop-distribute-patterns # memcpy is not a loop that calls memcpy
 $(OUT)/firmware.elf: $(OUT)/tests/target/firmware.o $(BOARD) $(LIB)
 	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
@@ -122,7 +122,9 @@ NATIVE   := $(MAKE) -s CHECKED= CROSS_COMPILE=
 A64      := $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-linux-gnu- SYSROOT=$(A64_ROOT) OS=linux \
             PORT=$(if $(wildcard port/cpu/neon/iris_port.h),neon,generic) \
             RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH=$(A64_ROOT)/usr/lib/aarch64-linux-gnu"
-CORTEX   := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none PORT=generic OPT=-Os
+# Firmware is small: optimized as a whole, without what moves and copies code for speed. Fat objects serve all other tools.
+CORTEX   := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none PORT=generic \
+            OPT="-Os -fno-tree-loop-im -fno-reorder-blocks" CFLAGS="-flto -ffat-lto-objects"
 M4       := $(CORTEX) MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
 M0       := $(CORTEX) MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
 CMOCKA_H := /usr/include/cmocka.h

@@ -47,29 +47,36 @@ void iris_steer_defaults(iris_steer_config *config)
     }
 }
 
-static int outside(int32_t value, int32_t low, int32_t high)
+/* The largest value of each field of the config, in its order; the smallest is 0. */
+static const uint16_t largest[] = {10000, 10000, 1000,  1000,     1000, 20000, 1000,    9000,
+                                   1000,  1000,  10000, TIME_MAX, 1000, 1000,  TIME_MAX};
+
+typedef char
+    one_limit_per_field[sizeof(iris_steer_config) == sizeof largest / sizeof largest[0] * 4 ? 1 : -1];
+
+static int is_valid(const iris_steer_config *config)
 {
-    return value < low || value > high;
+    const char *fields = (const char *)config;
+    for (size_t i = 0; i < sizeof largest / sizeof largest[0]; i++) {
+        uint32_t value = *(const uint32_t *)(const void *)(fields + 4 * i);
+        if (value > largest[i]) {
+            return 0;
+        }
+    }
+    return config->curve_permil > 0;
 }
 
 iris_status iris_steer_init(iris_steer *steer, const iris_steer_config *config)
 {
-    iris_steer_config c;
-    iris_steer_defaults(&c);
-    if (config) {
-        c = *config;
-    }
-    if (!steer || outside(c.offset_gain_permil, 0, 10000) || outside(c.angle_gain_permil, 0, 10000) ||
-        outside(c.lookahead_permil, 0, 1000) || outside(c.derivative_ms, 0, 1000) ||
-        outside(c.filter_ms, 0, 1000) || outside(c.bend_widths_permil, 0, 20000) ||
-        outside(c.limit_permil, 0, 1000) || outside(c.full_lock_centideg, 0, 9000) ||
-        outside(c.cruise_permil, 0, 1000) || outside(c.slow_permil, 0, 1000) ||
-        outside(c.curve_permil, 1, 10000) || outside(c.hold_ms, 0, TIME_MAX) ||
-        outside(c.search_steer_permil, 0, 1000) || outside(c.search_speed_permil, 0, 1000) ||
-        outside(c.stop_ms, 0, TIME_MAX)) {
+    if (!steer || (config && !is_valid(config))) {
         return IRIS_ERR_ARG;
     }
-    *steer = (iris_steer){.config = c};
+    iris_steer made = {0};
+    iris_steer_defaults(&made.config);
+    if (config) {
+        made.config = *config;
+    }
+    *steer = made;
     return IRIS_OK;
 }
 
