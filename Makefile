@@ -1,5 +1,5 @@
 # IRIS - `make help` explains every target.
-# Set on the command line: PORT=generic|sse|neon  OS=linux|none  PROFILE=full|lite  CROSS_COMPILE=prefix-
+# Set on the command line: PORT=generic|sse|neon  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
 #                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder
 
 CC      := $(if $(filter default,$(origin CC)),$(CROSS_COMPILE)gcc,$(CC))
@@ -25,6 +25,16 @@ ifeq ($(origin PORT),undefined)
   ifeq ($(wildcard port/cpu/$(PORT)/iris_port.h),)
     PORT := generic
   endif
+endif
+
+ifeq ($(wildcard port/cpu/$(PORT)/iris_port.h),)
+  $(error PORT=$(PORT) is unknown, there are: $(notdir $(patsubst %/,%,$(dir $(wildcard port/cpu/*/iris_port.h)))))
+endif
+ifeq ($(PORT)-$(findstring x86_64,$(TARGET)),neon-x86_64)
+  $(error PORT=neon needs a compiler for ARM, such as CROSS_COMPILE=aarch64-linux-gnu-)
+endif
+ifneq ($(PROFILE),full)
+  $(error PROFILE=$(PROFILE) is unknown, there is: full)
 endif
 
 # The library is integers only, and -mgeneral-regs-only holds it to that. Tools, examples and tests see include/ only

@@ -9,6 +9,8 @@
  * hundredths of a degree; decimals with a minus when negative, without plus or leading zeros; hh the XOR of
  * all bytes between $ and *, in upper-case hexadecimal. At most 82 bytes with \r\n, as NMEA has it (with
  * today's fields at most 46). Every command has exactly one spelling.
+ *
+ * The robot stops by itself when no sentence has come for some frames (examples/robot_side.c): the sender may be gone.
  */
 #ifndef IRIS_COMMAND_H
 #define IRIS_COMMAND_H
