@@ -67,8 +67,8 @@ static int is_piece(const iris_follow *follow, const iris_follow_chain *chain)
     return chain->rows * 6 >= follow->size.h || stands_out(follow, chain, 3);
 }
 
-/* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the farther the
- * gap, the farther to the side it may continue. */
+/* May `far` be the line's continuation above `near`? The gap is at most a quarter of the image high, and the farther
+ * the gap, the farther to the side it may continue. */
 static int continues(const iris_follow *follow, const iris_follow_chain *near, const iris_follow_chain *far)
 {
     int32_t gap = near->top_y - far->bottom_y;
@@ -122,9 +122,9 @@ int32_t iris_follow_choose(iris_follow *follow)
     uint8_t done[IRIS_FOLLOW_CHAINS] = {0};
     int32_t best = -1;
     for (int32_t round = 0; round < follow->chain_count; round++) {
-        int32_t i = -1; /* the nearest chain that is not done yet */
+        int32_t i = 0; /* the nearest chain that is not done yet */
         for (int32_t c = 0; c < follow->chain_count; c++) {
-            if (!done[c] && (i < 0 || follow->chains[c].bottom_y > follow->chains[i].bottom_y)) {
+            if (!done[c] && (done[i] || follow->chains[c].bottom_y > follow->chains[i].bottom_y)) {
                 i = c;
             }
         }

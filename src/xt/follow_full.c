@@ -24,22 +24,6 @@ static const uint8_t *mark_color(iris_follow *follow, const void *pixels)
     return NULL;
 }
 
-static int is_convertible(iris_format format)
-{
-    switch (format) {
-    case IRIS_GRAY8:
-    case IRIS_RGB888:
-    case IRIS_BGR888:
-    case IRIS_RGB565:
-    case IRIS_RGB565_SWAP:
-    case IRIS_YUYV:
-    case IRIS_UYVY:
-        return 1;
-    default:
-        return 0;
-    }
-}
-
 iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iris_follow_config *config,
                                   iris_scratch *scratch)
 {
@@ -58,8 +42,8 @@ iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iri
             return IRIS_ERR_ARG;
         }
     }
-    if (!is_convertible(used->format) || iris_format_row_bytes(used->format, size.w) == 0) {
-        return is_convertible(used->format) ? IRIS_ERR_RANGE : IRIS_ERR_FORMAT;
+    if (!iris_color_takes(used->format) || iris_format_row_bytes(used->format, size.w) == 0) {
+        return iris_color_takes(used->format) ? IRIS_ERR_RANGE : IRIS_ERR_FORMAT;
     }
     size_t mark = iris_scratch_mark(scratch);
     iris_status status = iris_follow_prepare(&made, scratch);

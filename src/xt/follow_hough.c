@@ -1,7 +1,7 @@
 /* The follower's other estimator. */
 #include "follow_parts.h"
 
-/* Pixels per bin of rho: the largest power of two that does not exceed what an angle bin moves the ends of a line by. */
+/* Pixels per bin of rho: the largest power of two that does not exceed what an angle bin moves a line's ends by. */
 static int32_t rho_step(iris_size size)
 {
     int32_t longer = size.w > size.h ? size.w : size.h;
@@ -32,7 +32,7 @@ static iris_status fit_by_hough(iris_line *line, const iris_follow *follow, cons
     iris_hough hough;
     iris_scratch scratch;
     iris_hough_config config;
-    iris_hough_line peak;
+    iris_hough_line peak = {0, 0, 0};
     int32_t found = 0;
     iris_status status = iris_regress_rows(&guess, twice_x, y0, y1, 0);
     if (status != IRIS_OK) {

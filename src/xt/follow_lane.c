@@ -58,7 +58,7 @@ static int32_t width_of(const iris_follow_shape *s)
         sum += iris_follow_width(s, y);
         count += iris_follow_width(s, y) > 0;
     }
-    return sum / count;
+    return count > 0 ? sum / count : 0;
 }
 
 int iris_follow_describe_lane(iris_follow_result *result, iris_follow *follow, int32_t line)

@@ -201,6 +201,9 @@ static int32_t trim_limit_q2(const iris_line *line, const int16_t *twice_x, int3
             twice_points += 2;
         }
     }
+    if (twice_points == 0) {
+        return 4;
+    }
     int32_t limit = (int32_t)(sum / twice_points * 5 + sum % twice_points * 5 / twice_points);
     return limit < 4 ? 4 : limit;
 }
