@@ -1,9 +1,10 @@
 /* The floor: a level per block of 8 columns, learned from the rows above.
  *
- * A block without line pixels draws its level towards what it shows, quickly up and slowly down. A block with line pixels
- * cannot see the floor, so it follows the floor to its left and right instead; where there is none (a line across the
- * whole image), it gives in slowly, so that a floor that really is that dark is floor again after a while. The first row
- * has no row above, nor has a row where another floor begins: its valleys are filled between the hills to their left and right.
+ * A block without line pixels draws its level towards what it shows, quickly up and slowly down. A block with line
+ * pixels cannot see the floor, so it follows the floor to its left and right instead; where there is none (a line
+ * across the whole image), it gives in slowly, so that a floor that really is that dark is floor again after a while.
+ * The first row has no row above, nor has a row where another floor begins: its valleys are filled between the hills to
+ * their left and right.
  *
  * Levels have 8 fraction bits. For bright lines everything is turned upside down: 0 is white. */
 #include "follow_parts.h"
@@ -13,7 +14,7 @@ enum { UP = 1, DOWN = 4, BESIDE = 2, GIVE_IN = 5 };
 
 enum { GLARE = 8 * 250 }; /* the sum of a block that is so bright teaches nothing */
 
-/* Bright lines are that much brighter than a dim floor, or that much nearer to white than a light one, whichever is less. */
+/* Bright lines are that much brighter than a dim floor, or that much nearer to white than a light one: the lesser. */
 static inline int32_t bright_range(const iris_follow *follow, int32_t floor)
 {
     int32_t dim = ((255 * 256 - floor) * (follow->brighter_q10 >> 2)) >> 8;
@@ -82,8 +83,8 @@ static void scan(const iris_follow *follow, const uint8_t *gray, int32_t blocks)
     }
 }
 
-/* The floor of one row alone: every valley is filled up to the lower of the two hills around it. Beyond the image's sides a
- * hill of a third of the highest level is assumed, so that a line that is cut by the side is seen too. */
+/* The floor of one row alone: every valley is filled up to the lower of the two hills around it. Beyond the image's
+ * sides a hill of a third of the highest level is assumed, so that a line that is cut by the side is seen too. */
 static void new_floor(const iris_follow *follow, int32_t blocks)
 {
     int bright = is_bright(follow);
@@ -112,8 +113,8 @@ static void new_floor(const iris_follow *follow, int32_t blocks)
     }
 }
 
-/* Blocks first to last show no floor. At a side of the image, where there is floor on one hand only, they keep what they
- * know: the light may fall off towards the side. */
+/* Blocks first to last show no floor. At a side of the image, where there is floor on one hand only, they keep what
+ * they know: the light may fall off towards the side. */
 static void bridge(const iris_follow *follow, int32_t first, int32_t last, int32_t blocks)
 {
     int bright = is_bright(follow);
@@ -134,8 +135,8 @@ static void bridge(const iris_follow *follow, int32_t first, int32_t last, int32
     }
 }
 
-/* Follows what the blocks without line pixels show, up to the first block with some. Returns that; the one behind the last
- * counts as such. */
+/* Follows what the blocks without line pixels show, up to the first block with some. Returns that; the one behind the
+ * last counts as such. */
 static iris_block8 *learn_clear(const iris_follow *follow, iris_block8 *block)
 {
     int bright = is_bright(follow);
@@ -186,8 +187,8 @@ static int32_t brightness_of(const iris_follow *follow, int32_t blocks)
     return total;
 }
 
-/* Is this another floor: the first row, a row that is half as bright again as the one from which the floor was learned, or one
- * behind many that were darker than any line is thick? */
+/* Is this another floor: the first row, a row that is half as bright again as the one from which the floor was learned,
+ * or one behind many that were darker than any line is thick? */
 static int is_new_floor(const iris_follow *follow, int32_t brightness)
 {
     return follow->y == 0 || brightness * 2 > follow->brightness * 3 + follow->size.w * 2 ||

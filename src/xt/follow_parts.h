@@ -18,8 +18,8 @@ typedef struct iris_follow_chain {
     int16_t used;                    /* 1: it belongs to a line that was chosen before */
 } iris_follow_chain;
 
-/* follow.c: what both kinds of init share: first the size and the config or its defaults, then, once the format is known to
- * fit, the checks of both, what follows from them, and the memory. On errors *follow is half made. */
+/* follow.c: what both kinds of init share: first the size and the config or its defaults, then, once the format is
+ * known to fit, the checks of both, what follows from them, and the memory. On errors *follow is half made. */
 void iris_follow_configure(iris_follow *follow, iris_size size, const iris_follow_config *config);
 iris_status iris_follow_prepare(iris_follow *follow, iris_scratch *scratch);
 
@@ -55,16 +55,17 @@ int32_t iris_follow_range(const iris_follow *follow, int32_t floor);
 /* follow_runs.c: from line bits to runs, and from runs to chains. gray is null when lines are told by color. */
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
 
-/* follow_choose.c: which chains are the line. Puts chains that continue each other together and marks the best of these as
- * used: the farthest chain, then .next towards the robot. Returns the farthest chain's number, or -1 when no line is left. */
+/* follow_choose.c: which chains are the line. Puts chains that continue each other together and marks the best of these
+ * as used: the farthest chain, then .next towards the robot. Returns the farthest chain's number, or -1 when no line is
+ * left. */
 int32_t iris_follow_choose(iris_follow *follow);
 
-/* follow_spans.c: the run of row y that belongs to the line whose chain `*chain` covers the rows around y, or an empty one.
- * Rows are asked for in order from the top; *chain moves on towards the robot. */
+/* follow_spans.c: the run of row y that belongs to the line whose chain `*chain` covers the rows around y, or an empty
+ * one. Rows are asked for in order from the top; *chain moves on towards the robot. */
 iris_span iris_follow_run(const iris_follow *follow, int32_t y, int32_t *chain);
 
-/* Makes span row y's, empty for a row in which the line is not seen. Rows come in order from the top: the spans take the place
- * of the runs, row y's is written to where row y / 4's runs were, which are not needed any more. */
+/* Makes span row y's, empty for a row in which the line is not seen. Rows come in order from the top: the spans take
+ * the place of the runs, row y's is written to where row y / 4's runs were, which are not needed any more. */
 void iris_follow_put_span(iris_follow_shape *s, int32_t y, iris_span span);
 
 /* Of row y; 0 when it does not show the line. */

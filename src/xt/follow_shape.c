@@ -9,8 +9,9 @@ static int is_cut(const iris_follow_shape *s, iris_span span)
     return !s->is_lane && (span.left == 0) != (span.right == s->follow->size.w - 1);
 }
 
-/* Centers of the upright rows. Where a side of the image cuts the line, its hidden half is put back: behind a whole row, lines
- * look as wide as there or narrower. Cut rows nearer than any whole one are left out. Returns 0 when there are only such. */
+/* Centers of the upright rows. Where a side of the image cuts the line, its hidden half is put back: behind a whole
+ * row, lines look as wide as there or narrower. Cut rows nearer than any whole one are left out. Returns 0 when there
+ * are only such. */
 static int find_centers(iris_follow_shape *s)
 {
     int32_t whole = 0;
@@ -63,8 +64,8 @@ static int32_t least_rows(const iris_follow_shape *s)
     return rows > 4 ? rows : 4;
 }
 
-/* The row between y0 and y1 (y0 > y1) whose center is farthest from their chord, if that is far and not too near to either;
- * else -1. */
+/* The row between y0 and y1 (y0 > y1) whose center is farthest from their chord, if that is far and not too near to
+ * either; else -1. */
 static int32_t farthest_row(const iris_follow_shape *s, int32_t y0, int32_t y1)
 {
     int32_t margin = least_rows(s), at = -1;
@@ -142,8 +143,8 @@ static int32_t twice_middle(const iris_follow_shape *s, int32_t x)
     return first + last;
 }
 
-/* The bar as a segment, from the side where the line comes in to the side of its longer arm. It runs through the centers of
- * its left and its right half, each the mean over eight columns. */
+/* The bar as a segment, from the side where the line comes in to the side of its longer arm. It runs through the
+ * centers of its left and its right half, each the mean over eight columns. */
 static void describe_bar(iris_follow_shape *s)
 {
     enum { COLUMNS = 16 };

@@ -106,7 +106,7 @@ static int at_bend(const iris_steer *steer, const iris_follow_result *line)
     return rows * 1000 / (clamp(line->width_px, 0, IRIS_SIDE_MAX) + 1) < steer->config.bend_widths_permil;
 }
 
-/* The direction to steer for, -180 to 180 degrees, and the memory of bends. *sharp is the sharpest direction in sight. */
+/* The direction to steer for, -180 to 180 degrees, and the memory of bends. *sharp is the sharpest one in sight. */
 static int32_t direction(int32_t *sharp, iris_steer *steer, const iris_follow_result *line)
 {
     int32_t angle = clamp(line->angle, -QUARTER_TURN, QUARTER_TURN);

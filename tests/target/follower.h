@@ -1,4 +1,4 @@
-/* A line-following robot's whole vision: rows of 160 gray pixels in, a command sentence per frame out, no frame buffer. */
+/* A line-following robot's whole vision: rows of 160 gray pixels in, a sentence per frame out, no frame buffer. */
 #ifndef IRIS_TEST_FOLLOWER_H
 #define IRIS_TEST_FOLLOWER_H
 

@@ -1,5 +1,5 @@
-/* What the compiler calls on a processor without instructions for it: small rather than fast, in place of libgcc's unrolled
- * division and the C library's copying. The linker keeps what is used. */
+/* What the compiler calls on a processor without instructions for it: small rather than fast, in place of libgcc's
+ * unrolled division and the C library's copying. The linker keeps what is used. */
 #include <stddef.h>
 #include <stdint.h>
 

@@ -42,16 +42,16 @@ typedef enum {
     IRIS_FOLLOW_COLOR     /* within a range of hue, saturation, and lightness */
 } iris_follow_kind;
 
+/* contrast_permil is how much darker than the floor a line pixel is at least, relative to the floor (bright lines:
+ * brighter, relative to the line, or to what is left up to white, whichever is less). The line as a whole stands out by
+ * a fifth of the rest more: 480 at the default. */
 typedef struct {
     iris_follow_kind kind;    /* default IRIS_FOLLOW_DARK */
     iris_format format;       /* of the rows; any that color.h converts to IRIS_GRAY8 (IRIS_FOLLOW_COLOR: to
                                  IRIS_RGB888); default IRIS_GRAY8 */
     iris_hsl_range color;     /* for IRIS_FOLLOW_COLOR only */
     int32_t lane;             /* 1: follow the middle between two lines; default 0 */
-    int32_t contrast_permil;  /* 100..900: how much darker than the floor a line pixel is at least, relative to the
-                                 floor (bright lines: brighter, relative to the line, or to what is left up to white,
-                                 whichever is less). The line as a whole stands out by a fifth of the rest more:
-                                 480 at the default of 350 */
+    int32_t contrast_permil;  /* 100..900; default 350 */
     int32_t min_width_permil; /* 1..500: narrower runs are not the line, in permil of the image width;
                                  default 12 */
     int32_t lookahead_permil; /* 0..1000: the look-ahead row, counted from the top, in permil of the height;
@@ -59,9 +59,10 @@ typedef struct {
     int32_t hold_ms;          /* 0..60000: how long a lost line's last result is repeated; default 200 */
 } iris_follow_config;
 
+/* A straight piece of the line, in pixels; (x0, y0) is the end nearer to the robot. A fitted line's ends may lie beyond
+ * the sides of the image. */
 typedef struct {
-    int32_t x0, y0, x1, y1; /* pixels; (x0, y0) is the end nearer to the robot. A fitted line's ends may lie beyond
-                               the sides of the image. */
+    int32_t x0, y0, x1, y1;
 } iris_segment;
 
 /* First and last column of the line in a row, inclusive; left > right when the row has none. With `lane`: the
@@ -85,8 +86,8 @@ typedef struct {
                               null when stale or lost */
 } iris_follow_result;
 
-/* Working memory for frames of w x h pixels, kept by the follower for its whole life: 3.0 KB for 160x120. The second size is
- * for iris_follow_init_full: 3.5 KB. */
+/* Working memory for frames of w x h pixels, kept by the follower for its whole life: 3.0 KB for 160x120. The second
+ * size is for iris_follow_init_full: 3.5 KB. */
 #define IRIS_FOLLOW_BLOCKS(w) (((size_t)(w) + 7) / 8)
 #define IRIS_FOLLOW_SCRATCH_BYTES(w, h)                                                                      \
     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 32 + (size_t)(h)*IRIS_FOLLOW_RUNS * (sizeof(iris_span) + 1) +    \
@@ -105,8 +106,8 @@ struct iris_follow {
     int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
     int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
     int32_t brighter_q10; /* how much brighter than the floor bright lines are at least: 1 / (1 - contrast) */
-    int32_t brightness;      /* of the row from which the whole floor was learned */
-    int32_t learn_rows;      /* the floor learns every so many rows */
+    int32_t brightness;   /* of the row from which the whole floor was learned */
+    int32_t learn_rows;   /* the floor learns every so many rows */
     int32_t rows_to_learn;   /* until it does again */
     int32_t dark_rows;       /* in a row without any floor */
     int32_t chain_count;     /* in this frame */
@@ -143,17 +144,17 @@ void iris_follow_defaults(iris_follow_config *config);
 iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_follow_config *config,
                              iris_scratch *scratch);
 
-/* The same for every kind of line, lanes, and every format of rows (IRIS_FOLLOW_FULL_SCRATCH_BYTES). It is apart so that
- * firmware that follows one line with a gray sensor carries neither color conversion nor lanes. IRIS_ERR_FORMAT: rows of a
- * format that cannot be converted. */
+/* The same for every kind of line, lanes, and every format of rows (IRIS_FOLLOW_FULL_SCRATCH_BYTES). It is apart so
+ * that firmware that follows one line with a gray sensor carries neither color conversion nor lanes.
+ * The same errors, but IRIS_ERR_FORMAT: rows of a format that iris_color_takes does not know. */
 iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iris_follow_config *config,
                                   iris_scratch *scratch);
 
-/* From now on straight pieces are fitted by a Hough transform (hough.h) instead of the trimmed regression: of the row centers,
- * within 22 degrees and 16 steps of rho around the untrimmed regression line. It stands more strangers among the rows and costs
- * more; angles come in steps of a fraction of a degree. Takes IRIS_FOLLOW_HOUGH_BYTES of working memory. It is apart so that
- * firmware without it does not carry it. IRIS_ERR_ARG: null pointer, or a follower without init; IRIS_ERR_SCRATCH. O(1); each
- * frame O(32 h) more. */
+/* From now on straight pieces are fitted by a Hough transform (hough.h) instead of the trimmed regression: of the row
+ * centers, within 22 degrees and 16 steps of rho around the untrimmed regression line. It stands more strangers among
+ * the rows and costs more; angles come in steps of a fraction of a degree. Takes IRIS_FOLLOW_HOUGH_BYTES of working
+ * memory. It is apart so that firmware without it does not carry it.
+ * IRIS_ERR_ARG: null pointer, or a follower without init; IRIS_ERR_SCRATCH. O(1); each frame O(32 h) more. */
 #define IRIS_FOLLOW_HOUGH_BINS  32
 #define IRIS_FOLLOW_HOUGH_BYTES IRIS_HOUGH_BINS_SCRATCH_BYTES(IRIS_FOLLOW_HOUGH_BINS, IRIS_FOLLOW_HOUGH_BINS)
 iris_status iris_follow_use_hough(iris_follow *follow, iris_scratch *scratch);

@@ -1,27 +1,27 @@
 /* IRIS-XT - steering: from where the line is to what the robot does.
  *
- * A proportional-derivative controller on the line's offset and angle, slower in curves, with a stated behavior when the
- * line is lost. One call per frame, in 32-bit integers; it knows nothing of the robot but its config, so that the same
- * command suits a steered axle (steer is the wheel angle) and two driven wheels (full steer stops the inner wheel:
+ * A proportional-derivative controller on the line's offset and angle, slower in curves, with a stated behavior when
+ * the line is lost. One call per frame, in 32-bit integers; it knows nothing of the robot but its config, so that the
+ * same command suits a steered axle (steer is the wheel angle) and two driven wheels (full steer stops the inner wheel:
  * left = speed + steer * speed, right = speed - steer * speed, which is up to twice the speed: the robot caps it).
  * Report, sections 2.3 and 2.4.
  *
  *     offset = bottom row's + share * (look-ahead row's - bottom row's)
- *     steer  = offset_gain * (offset + derivative_ms * rate) + angle_gain * angle       rate: low-passed d offset / dt
- *     speed  = cruise - (cruise - slow) * sharpness          sharpness: 1 at curve_permil, of the larger of the steering
- *                                                            and angle_gain * the steepest angle in sight
+ *     steer  = offset_gain * (offset + derivative_ms * rate) + angle_gain * angle     rate: low-passed d offset / dt
+ *     speed  = cruise - (cruise - slow) * sharpness        sharpness: 1 at curve_permil, of the larger of the steering
+ *                                                          and angle_gain * the steepest angle in sight
  *
- * Bend ahead (result.has_next, beyond 30 degrees): the robot slows down, and turns as soon as the part of the line in front
- * of the bend is shorter than bend_widths line widths; from there the angle is that of the next part. The bend's side is
- * remembered, so that a line straight across the image (90 or -90 degrees, which is the same line) is turned into on that
- * side, and a line that is lost at the bend is searched there.
+ * Bend ahead (result.has_next, beyond 30 degrees): the robot slows down, and turns as soon as the part of the line in
+ * front of the bend is shorter than bend_widths line widths; from there the angle is that of the next part. The bend's
+ * side is remembered, so that a line straight across the image (90 or -90 degrees, which is the same line) is turned
+ * into on that side, and a line that is lost at the bend is searched there.
  *
  * Not found: for hold_ms the last steering is kept, at slow speed (past a bend: full steer to its side); then the robot
  * searches, turning to the side where the line was last; at stop_ms it stops until the line is back. A robot that has
  * never seen a line stands still.
  *
- * The defaults drive the robot of tools/sim at 10 to 60 frames/s, with wheels 10 to 25 cm apart, half to twice its speed,
- * and its camera 14 to 30 cm high. A larger look-ahead share cuts corners more and forgives more delay.
+ * The defaults drive the robot of tools/sim at 10 to 60 frames/s, with wheels 10 to 25 cm apart, half to twice its
+ * speed, and its camera 14 to 30 cm high. A larger look-ahead share cuts corners more and forgives more delay.
  */
 #ifndef IRIS_XT_STEER_H
 #define IRIS_XT_STEER_H
@@ -74,16 +74,16 @@ void iris_steer_defaults(iris_steer_config *config);
  * IRIS_ERR_ARG: steer is null, or a config value is outside its range. O(1). */
 iris_status iris_steer_init(iris_steer *steer, const iris_steer_config *config);
 
-/* The command for this frame: seq (0 at first, counts to 9999, and starts over), state, steer, speed, and the line's angle,
- * offset, and confidence as the sentence has them.
+/* The command for this frame: seq (0 at first, counts to 9999, and starts over), state, steer, speed, and the line's
+ * angle, offset, and confidence as the sentence has them.
  *   line        any values: offsets count as at most 2 to either side, an unknown state as lost
- *   elapsed_ms  since the last update; below 0 counts as 0, above 60000 as 60000. With 0 the offset's change is not known.
+ *   elapsed_ms  since the last update, limited to 0..60000. With 0 the offset's change is not known.
  * IRIS_ERR_ARG: null pointer. O(1): some ten 32-bit divisions, no 64-bit one. */
 iris_status iris_steer_update(iris_command *command, iris_steer *steer, const iris_follow_result *line,
                               int32_t elapsed_ms);
 
-/* A command's steering as a wheel angle in hundredths of a degree, positive right: steer_permil of full_lock_centideg. 0 for
- * a null pointer; steer_permil counts as at most 1000 to either side. O(1). */
+/* A command's steering as a wheel angle in hundredths of a degree, positive right: steer_permil of full_lock_centideg.
+ * 0 for a null pointer; steer_permil counts as at most 1000 to either side. O(1). */
 int32_t iris_steer_wheel_centideg(const iris_steer *steer, const iris_command *command);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* The part of Unity's interface (ThrowTheSwitch) that the tests here use, for machines that have no copy of it: the same
- * macros, and output in the same form, file:line:test:PASS. One test program per firmware includes this once. */
+/* The part of Unity's interface (ThrowTheSwitch) that the tests here use, for machines that have no copy of it: the
+ * same macros, and output in the same form, file:line:test:PASS. One test program per firmware includes this once. */
 #ifndef UNITY_H
 #define UNITY_H
 
