@@ -113,7 +113,7 @@ static int is_line(const iris_follow *follow, int32_t farthest)
     }
     int32_t extent = bottom - follow->chains[farthest].top_y + 1;
     int32_t shorter = follow->size.w < follow->size.h ? follow->size.w : follow->size.h;
-    return length >= shorter / 4 && (int64_t)length * length >= (int64_t)area * 3 / 2 && rows * 2 >= extent;
+    return length >= shorter / 4 && area / length * 3 <= length * 2 && rows * 2 >= extent;
 }
 
 int32_t iris_follow_choose(iris_follow *follow)

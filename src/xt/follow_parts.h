@@ -9,9 +9,9 @@
 /* Runs in successive rows that overlap: a piece of line, or of anything else that is dark. 32 bytes. */
 typedef struct iris_follow_chain {
     iris_span top, bottom; /* its runs in the rows top_y and bottom_y */
-    int16_t top_y, bottom_y;
-    int16_t rows;                    /* rows with a run */
-    int16_t widest;                  /* run, pixels */
+    uint16_t top_y, bottom_y;
+    uint16_t rows;                   /* rows with a run */
+    uint16_t widest;                 /* run, pixels */
     int32_t area;                    /* pixels in all runs */
     int32_t contrast_sum, range_sum; /* one sample per row: how far from the floor, of how far it could be */
     int16_t next;                    /* chain that continues it towards the robot, or -1 */

@@ -146,11 +146,11 @@ static void append(iris_follow *follow, int32_t number, iris_span run, const uin
 {
     iris_follow_chain *chain = &follow->chains[number];
     chain->bottom = run;
-    chain->bottom_y = (int16_t)follow->y;
+    chain->bottom_y = (uint16_t)follow->y;
     chain->rows++;
     chain->area += width(run);
     if (width(run) > chain->widest) {
-        chain->widest = (int16_t)width(run);
+        chain->widest = (uint16_t)width(run);
     }
     sample_contrast(follow, chain, run, gray);
 }
@@ -161,7 +161,7 @@ static void start_chain(iris_follow *follow, int32_t number, iris_span run)
     iris_follow_chain *chain = &follow->chains[number];
     *chain = empty;
     chain->top = run;
-    chain->top_y = (int16_t)follow->y;
+    chain->top_y = (uint16_t)follow->y;
 }
 
 /* The chain that run continues with the largest overlap, among those that ended above and not in this row. */

@@ -11,14 +11,14 @@ static int is_cut(const iris_follow_shape *s, iris_span span)
 
 /* Centers of the upright rows. Where a side of the image cuts the line, its hidden half is put back: behind a whole
  * row, lines look as wide as there or narrower. Cut rows nearer than any whole one are left out. Returns 0 when there
- * are only such. */
-static int find_centers(iris_follow_shape *s)
+ * are only such; they are taken as they are if `cut_too`. */
+static int find_centers(iris_follow_shape *s, int cut_too)
 {
     int32_t whole = 0;
     for (int32_t y = s->bottom; y >= s->upright_top; y--) {
         iris_span span = s->spans[y];
         int32_t width = iris_span_width(span), center = span.left + span.right;
-        if (width > 0 && !is_cut(s, span)) {
+        if (width > 0 && (cut_too || !is_cut(s, span))) {
             whole = width;
         } else if (width >= whole || width == 0) {
             center = NONE;
@@ -28,14 +28,6 @@ static int find_centers(iris_follow_shape *s)
         s->twice_x[y] = (int16_t)center;
     }
     return whole;
-}
-
-static void find_centers_of_cut_rows(iris_follow_shape *s)
-{
-    for (int32_t y = s->upright_top; y <= s->bottom; y++) {
-        iris_span span = s->spans[y];
-        s->twice_x[y] = (int16_t)(iris_span_width(span) > 0 ? span.left + span.right : NONE);
-    }
 }
 
 /* Column of a line in row y, within 80 degrees of upright; the line's center is in the image. */
@@ -215,8 +207,8 @@ iris_follow_shape iris_follow_shape_of(iris_follow_result *result, iris_follow *
 
 static void describe_solid(iris_follow_shape *s)
 {
-    if (!find_centers(s)) {
-        find_centers_of_cut_rows(s);
+    if (!find_centers(s, 0)) {
+        (void)find_centers(s, 1);
     }
     while (s->bottom > s->upright_top && s->twice_x[s->bottom] == NONE) {
         s->bottom--;

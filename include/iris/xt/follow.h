@@ -99,29 +99,19 @@ typedef struct {
 /* A follower. The fields are its own; keep it anywhere, but do not copy it while a frame is being fed. */
 typedef struct iris_follow iris_follow;
 struct iris_follow {
-    iris_follow_config config;
     iris_size size;
-    int32_t y;            /* rows fed in this frame; -1 between frames */
-    int32_t min_width;    /* pixels */
-    int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
-    int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
-    int32_t brighter_q10; /* how much brighter than the floor bright lines are at least: 1 / (1 - contrast) */
-    int32_t brightness;   /* of the row from which the whole floor was learned */
-    int32_t learn_rows;   /* the floor learns every so many rows */
-    int32_t rows_to_learn;   /* until it does again */
-    int32_t dark_rows;       /* in a row without any floor */
-    int32_t chain_count;     /* in this frame */
-    int32_t seen;            /* 1 once a line was found */
-    uint32_t seen_ms;        /* when */
-    iris_follow_result last; /* what a stale frame repeats */
-    /* Finds a row's line pixels; returns the row as gray, or null when lines are told by color. */
-    const uint8_t *(*mark)(iris_follow *follow, const void *pixels);
-    /* Fits a line to the centers of the rows y0 to y1 (twice_x as for iris_regress_rows). */
-    iris_status (*fit)(iris_line *line, const iris_follow *follow, const int16_t *twice_x, int32_t y0,
-                       int32_t y1);
-    /* From the chosen chains, the farthest first, to the result; returns 0 when there is none. */
-    int (*describe)(iris_follow_result *result, iris_follow *follow, int32_t line);
-    iris_hsl_range_test color; /* the range, made ready */
+    int32_t y;             /* rows fed in this frame; -1 between frames */
+    int32_t min_width;     /* pixels */
+    int32_t max_gap;       /* columns that do not interrupt a run, rows that do not interrupt a chain */
+    int32_t contrast_q10;  /* contrast_permil with 10 fraction bits */
+    int32_t brighter_q10;  /* how much brighter than the floor bright lines are at least: 1 / (1 - contrast) */
+    int32_t brightness;    /* of the row from which the whole floor was learned */
+    int32_t learn_rows;    /* the floor learns every so many rows */
+    int32_t rows_to_learn; /* until it does again */
+    int32_t dark_rows;     /* in a row without any floor */
+    int32_t chain_count;   /* in this frame */
+    int32_t seen;          /* 1 once a line was found */
+    uint32_t seen_ms;      /* when */
     /* in the caller's working memory: */
     uint16_t *floor;                  /* level of the floor per block of 8 columns, 8 fraction bits */
     struct iris_block8 *blocks;       /* this row, 8 columns each, and one more that is never clear */
@@ -131,6 +121,16 @@ struct iris_follow {
     uint32_t *mask;                   /* this row by color, one bit per column */
     uint8_t *row;                     /* this row as GRAY8 or RGB888 */
     uint8_t *votes;                   /* of the Hough transform */
+    /* Finds a row's line pixels; returns the row as gray, or null when lines are told by color. */
+    const uint8_t *(*mark)(iris_follow *follow, const void *pixels);
+    /* Fits a line to the centers of the rows y0 to y1 (twice_x as for iris_regress_rows). */
+    iris_status (*fit)(iris_line *line, const iris_follow *follow, const int16_t *twice_x, int32_t y0,
+                       int32_t y1);
+    /* From the chosen chains, the farthest first, to the result; returns 0 when there is none. */
+    int (*describe)(iris_follow_result *result, iris_follow *follow, int32_t line);
+    iris_follow_config config;
+    iris_hsl_range_test color; /* the range, made ready */
+    iris_follow_result last;   /* what a stale frame repeats */
 };
 
 /* Sensible values, as given above. Null is ignored. */
