@@ -1,5 +1,5 @@
-/* The robot's side of the wire: bytes in any chunks, noise in between, wheel speeds out. The wheels stop when no command
- * has come for a while: a cable that is torn off must not leave the robot driving. */
+/* The robot's side of the wire: bytes in any chunks, noise in between, wheel speeds out. The wheels stop when no
+ * command has come for a while: a cable that is torn off must not leave the robot driving. */
 #include <stdio.h>
 
 #include "iris/command.h"
