@@ -100,13 +100,13 @@ typedef struct {
 typedef struct iris_follow iris_follow;
 struct iris_follow {
     iris_size size;
-    int32_t y;             /* rows fed in this frame; -1 between frames */
-    int32_t min_width;     /* pixels */
-    int32_t max_gap;       /* columns that do not interrupt a run, rows that do not interrupt a chain */
-    int32_t contrast_q10;  /* contrast_permil with 10 fraction bits */
-    int32_t brighter_q10;  /* how much brighter than the floor bright lines are at least: 1 / (1 - contrast) */
-    int32_t brightness;    /* of the row from which the whole floor was learned */
-    int32_t learn_rows;    /* the floor learns every so many rows */
+    int32_t y;            /* rows fed in this frame; -1 between frames */
+    int32_t min_width;    /* pixels */
+    int32_t max_gap;      /* columns that do not interrupt a run, rows that do not interrupt a chain */
+    int32_t contrast_q10; /* contrast_permil with 10 fraction bits */
+    int32_t brighter_q10; /* how much brighter than the floor bright lines are at least: 1 / (1 - contrast) */
+    int32_t brightness;   /* of the row from which the whole floor was learned */
+    int32_t learn_rows;   /* the floor learns every so many rows */
     int32_t rows_to_learn; /* until it does again */
     int32_t dark_rows;     /* in a row without any floor */
     int32_t chain_count;   /* in this frame */
