@@ -202,6 +202,9 @@ void iris_follow_mark(iris_follow *follow, const uint8_t *gray)
     if (follow->y == 0 || follow->rows_to_learn == 1) {
         int32_t brightness = brightness_of(follow, blocks);
         if (is_new_floor(follow, brightness)) {
+            if (follow->dark_rows > 0) {
+                iris_follow_take_back(follow);
+            }
             new_floor(follow, blocks);
             scan(follow, gray, blocks);
             follow->brightness = brightness;

@@ -53,6 +53,7 @@ void iris_follow_learn(iris_follow *follow);
 int32_t iris_follow_range(const iris_follow *follow, int32_t floor);
 
 /* follow_runs.c: from line bits to runs, and from runs to chains. gray is null when lines are told by color. */
+void iris_follow_take_back(iris_follow *follow); /* the rows just above were no line but a darker floor */
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray);
 
 /* follow_choose.c: which chains are the line. Puts chains that continue each other together and marks the best of these

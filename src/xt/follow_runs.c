@@ -181,6 +181,36 @@ static int32_t best_chain(const iris_follow *follow, iris_span run, int32_t *mos
     return best;
 }
 
+/* Shortens the chain by its last rows as long as they span nearly the whole image. */
+static void shorten(iris_follow *follow, iris_follow_chain *chain, uint8_t number)
+{
+    for (int32_t y = chain->bottom_y; y >= chain->top_y; y--) {
+        for (int32_t i = y * IRIS_FOLLOW_RUNS; i < (y + 1) * IRIS_FOLLOW_RUNS; i++) {
+            if (follow->owner[i] != number) {
+                continue;
+            }
+            chain->bottom = follow->runs[i];
+            chain->bottom_y = (uint16_t)y;
+            if (iris_span_width(chain->bottom) * 8 < follow->size.w * 7) {
+                return;
+            }
+            follow->owner[i] = NO_CHAIN;
+            chain->rows--;
+            chain->area -= iris_span_width(chain->bottom);
+        }
+    }
+    chain->used = 1; /* nothing is left */
+}
+
+void iris_follow_take_back(iris_follow *follow)
+{
+    for (int32_t c = 0; c < follow->chain_count; c++) {
+        if (follow->chains[c].bottom_y >= follow->y - 1 - follow->max_gap) {
+            shorten(follow, &follow->chains[c], (uint8_t)c);
+        }
+    }
+}
+
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray)
 {
     iris_span *runs = &follow->runs[follow->y * IRIS_FOLLOW_RUNS];

@@ -289,6 +289,9 @@ int iris_follow_describe_line(iris_follow_result *result, iris_follow *follow, i
     if (pieces > 1 && gaps * 8 >= s.rows && s.rows * 2 < s.width * pieces * 3) { /* hardly longer than wide */
         describe_dashes(&s, &follow->chains[line], pieces - 1);
     } else if (s.width > height * 3 / 2) { /* lies across as a whole */
+        if (iris_follow_width(&s, follow->size.h - 1) == follow->size.w) {
+            return 0; /* without an end towards the robot: its shadow */
+        }
         s.bar_top = s.top;
         s.bar_bottom = s.bottom;
         s.upright_top = s.bottom + 1;

@@ -118,6 +118,18 @@ static void line_across_alone_is_reported(void **state)
     assert_int_equal(result.rows[48].right, FLOOR_W - 1);
     assert_near(fraction(result.offset_q16), 0, 0.05);
     assert_true(result.rows[20].right < result.rows[20].left);
+    for (int y = 90; y < FLOOR_H; y++) { /* the robot's own shadow is not one, nor does it hide one */
+        paint_run(&picture, y, 0, FLOOR_W - 1, 0.3);
+    }
+    look(&result, &picture, NULL);
+    assert_int_equal(result.state, IRIS_LINE_FOUND);
+    assert_int_equal(result.rows[48].right, FLOOR_W - 1);
+    paint_floor(&picture, 200, 6, 1);
+    for (int y = 90; y < FLOOR_H; y++) {
+        paint_run(&picture, y, 0, FLOOR_W - 1, 0.3);
+    }
+    look(&result, &picture, NULL);
+    assert_int_equal(result.state, IRIS_LINE_LOST);
 }
 
 static void sharp_bend_gives_the_next_direction(void **state)
