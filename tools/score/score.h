@@ -2,13 +2,14 @@
 #ifndef SCORE_SCORE_H
 #define SCORE_SCORE_H
 
-typedef enum { SCORE_MISSED, SCORE_REACHED, SCORE_SKIPPED, SCORE_INFORMATION } score_verdict;
+/* SCORE_SHORT: missed, known, and no worse than when it was last said: the tests report it as skipped, by name. */
+typedef enum { SCORE_MISSED, SCORE_REACHED, SCORE_SKIPPED, SCORE_SHORT, SCORE_INFORMATION } score_verdict;
 
 typedef struct {
     int tap;              /* 1: print TAP instead of a table */
     const char *figures;  /* folder with what other programs measured; null: none */
     const char *pictures; /* folder for pictures of what was found; null: none */
-    int reached, missed, skipped;
+    int reached, missed, skipped, falls_short;
 } score;
 
 /* The head of the table, a row of it, and the totals. `required` is null for SCORE_INFORMATION; `format`
