@@ -88,11 +88,11 @@ static void scan(const iris_follow *follow, const uint8_t *gray, int32_t blocks)
 static void new_floor(const iris_follow *follow, int32_t blocks)
 {
     int bright = is_bright(follow);
-    int32_t highest = 0, total = 0;
-    for (int32_t b = 0; b < blocks; b++) {
-        total += follow->blocks[b].sum;
+    int32_t highest = 0, total = follow->blocks[0].sum, count = 1;
+    for (; count < blocks; count++) {
+        total += follow->blocks[count].sum;
     }
-    int32_t most = total / blocks * 5 / 4; /* a hill above that is glare */
+    int32_t most = total / count * 5 / 4; /* a hill above that is glare */
     for (int32_t b = 0; b < blocks; b++) {
         int32_t sum = follow->blocks[b].sum < most ? follow->blocks[b].sum : most;
         follow->blocks[b].sum = (uint16_t)sum;
