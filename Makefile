@@ -1,6 +1,6 @@
 # IRIS - `make help` explains every target.
 # Set on the command line: PORT=generic|sse|neon  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
-#                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder
+#                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder  V=1 (whole commands)
 
 CC      := $(if $(filter default,$(origin CC)),$(CROSS_COMPILE)gcc,$(CC))
 AR      := $(CROSS_COMPILE)ar
@@ -52,6 +52,10 @@ LDFLAGS  ?=
 BASE      = $(OPT) $(CFLAGS) $(SANITIZE) $(ARCH) -ffunction-sections -fdata-sections -MMD -MP
 INCLUDES := -Iinclude -Iport/cpu/$(PORT)
 
+# What is made, by name; V=1 shows the whole commands, -s nothing.
+SAY = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '  $@')
+Q   = $(if $(V),,@)
+
 # One build folder per port, OS, profile, compiler and flags.
 FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) $(INTEGER) $(PORTISA) $(LDFLAGS) $(SYSROOT)
 KEY   := $(shell printf '%s' "$(FLAGS)" | cksum | cut -d' ' -f1)
@@ -94,37 +98,45 @@ FORCE:
 
 $(LIB): $(CORE_OBJ) $(PORT_OBJ) $(OUT)/members
 	@rm -f $@
-	$(AR) rcs $@ $(filter %.o,$^)
+	$(SAY)
+	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
 $(OUT)/libiris-$(OS).a: $(OS_OBJ) $(OUT)/members
 	@rm -f $@
-	$(AR) rcs $@ $(filter %.o,$^)
+	$(SAY)
+	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
 $(OUT)/iris: $(TOOL_OBJ) $(OSLIB) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) -lm
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) -lm
 
 $(OUT)/src/%.o: src/%.c
 	@mkdir -p $(@D)
-	$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) -fstack-usage -c -o $@ $<
+	$(SAY)
+	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) -fstack-usage -c -o $@ $<
 
 $(OUT)/port/cpu/%.o: port/cpu/%.c
 	@mkdir -p $(@D)
-	$(CC) $(WARN) $(BASE) $(PORTISA) $(INCLUDES) -Isrc/foundation -fstack-usage -c -o $@ $<
+	$(SAY)
+	$(Q)$(CC) $(WARN) $(BASE) $(PORTISA) $(INCLUDES) -Isrc/foundation -fstack-usage -c -o $@ $<
 
 $(OUT)/port/os/%.o: port/os/%.c
 	@mkdir -p $(@D)
-	$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) $(POSIX) -fstack-usage -c -o $@ $<
+	$(SAY)
+	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) $(POSIX) -fstack-usage -c -o $@ $<
 
 $(OUT)/tools/%.o: tools/%.c
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -c -o $@ $<
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -c -o $@ $<
 
 # Examples: one program per file.
 EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
 examples: $(EXAMPLES) ## builds every program under examples/
 $(OUT)/examples/%: examples/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
 
 include tests/tests.mk
 include $(wildcard tools/*/*.mk)

@@ -21,17 +21,20 @@ CMOCKA   := $(if $(SYSROOT),-isystem $(SYSROOT)/usr/include -L$(SYSROOT)/usr/lib
 
 $(OUT)/tests/%: tests/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) $(CMOCKA) -lm
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) $(CMOCKA) -lm
 
 $(OUT)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
 
 DIGEST_OBJ  := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/digest/*.c))
 DIGEST_HOST := $(OUT)/tests/digest/host.o
 DIGEST      := $(if $(DIGEST_OBJ),$(OUT)/digest)
 $(OUT)/digest: $(DIGEST_OBJ) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
 
 unit: $(UNIT_BIN) ## builds and runs the CMocka tests of this PORT and these flags
 	@tests/programs $(UNIT_BIN) | tests/tally
@@ -62,13 +65,17 @@ FIRMWARE   := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/t
 .SECONDARY: $(TARGET_OBJ)
 $(OUT)/tests/target/runtime.o: BASE += -fno-lto -fno-tree-loop-distribute-patterns # memcpy is not a loop that calls memcpy
 $(OUT)/firmware.elf: $(OUT)/tests/target/firmware.o $(BOARD) $(LIB)
-	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
-	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/digest.elf: $(filter-out $(DIGEST_HOST),$(DIGEST_OBJ)) $(START) $(LIB)
-	$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/unity.o: $(UNITY_ROOT)/src/unity.c
-	$(CC) $(BASE) $(TARGETINC) -c -o $@ $<
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(TARGETINC) -c -o $@ $<
 
 verify-target: lib $(FIRMWARE) $(if $(DIGEST),$(OUT)/digest.elf)
 	@for elf in $(FIRMWARE); do tests/target/run $(MACHINE) $$elf --unity; done
@@ -82,7 +89,8 @@ FUZZ_BIN := $(FUZZ_SRC:tests/fuzz/%.c=$(OUT)/fuzz/%)
 FUZZ_MAKE = $(MAKE) -s CC=clang CROSS_COMPILE= PORT=generic OPT=-O1 CHECKED=1 FUZZER=1
 $(OUT)/fuzz/%: tests/fuzz/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
-	$(CC) $(USERWARN) $(BASE) -fsanitize=fuzzer -Iinclude -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) -fsanitize=fuzzer -Iinclude -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
 
 FUZZ_RUNS ?= 20000
 FUZZ_TIME ?= 60

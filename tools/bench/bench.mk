@@ -8,14 +8,18 @@ $(COUNTER): tools/bench/icnt.c
 	@mkdir -p $(@D)
 	gcc $(USERWARN) -O2 -shared -fPIC -o $@ $<
 $(OUT)/bench-count: $(call BENCH,cases count stdout) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench-time: $(call BENCH,cases time) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench-kernels: $(call BENCH,kernels time) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench.elf: STACK := 16384
 $(OUT)/bench.elf: $(call BENCH,cases count) $(START) $(LIB)
-	$(CC) $(BASE) $(LINK) -o $@ $(filter %.o %.a,$^)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.o %.a,$^)
 
 # RESULT names the column. A count and the line that names it belong together by their order.
 count-target: $(OUT)/bench.elf

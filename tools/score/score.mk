@@ -5,7 +5,8 @@ SCORE_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/score/*.c))
 CROSS_GAP = $(shell for t in arm-none-eabi-gcc qemu-system-arm; do command -v $$t > /dev/null || echo $$t; done)
 
 $(OUT)/iris-score: $(SCORE_OBJ) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^) $(LDFLAGS) -lm
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^) $(LDFLAGS) -lm
 
 score: $(OUT)/iris-score figures ## measures every figure IRIS promises, as a table (PICTURES=dir: with what was found drawn in)
 	$(if $(PICTURES),@mkdir -p $(PICTURES))

@@ -3,7 +3,8 @@
 SIM_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/sim/*.c))
 
 $(OUT)/iris-demo: $(SIM_OBJ) $(LIB)
-	$(CC) $(BASE) -o $@ $(filter %.o %.a,$^) $(LDFLAGS) -lm
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^) $(LDFLAGS) -lm
 
 demo: $(OUT)/iris-demo ## drives a simulated robot around a track by its camera alone
 	$< --out $(BUILD)/demo
