@@ -78,7 +78,7 @@ typedef struct {
     iris_angle next_angle; /* of the next straight part */
     iris_q16 offset_q16;   /* at the bottom row */
     iris_q16 lookahead_offset_q16; /* at the look-ahead row */
-    int32_t width_px;              /* of the line (or of the lane), median over its rows */
+    int32_t width_px;              /* of the line (or of the lane), mean over its rows */
     int32_t confidence_permil;     /* 0..1000 */
     int32_t segment_count;
     iris_segment segments[IRIS_FOLLOW_SEGMENTS_MAX]; /* near to far */
@@ -110,7 +110,7 @@ struct iris_follow {
     int32_t rows_to_learn; /* until it does again */
     int32_t dark_rows;     /* in a row without any floor */
     int32_t chain_count;   /* in this frame */
-    int32_t seen;          /* 1 once a line was found */
+    int32_t seen;          /* 1 while a found line may be repeated */
     uint32_t seen_ms;      /* when */
     /* in the caller's working memory: */
     uint16_t *floor;                  /* level of the floor per block of 8 columns, 8 fraction bits */
