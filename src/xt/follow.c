@@ -1,5 +1,6 @@
 #include "iris/xt/follow.h"
 #include "follow_parts.h"
+#include "regress_rows.h"
 
 #define SIDE_MIN 8
 
@@ -52,7 +53,7 @@ static iris_status fit_by_regression(iris_line *line, const iris_follow *follow,
 {
     enum { TRIMS = 2 };
     (void)follow;
-    return iris_regress_rows(line, twice_x, y0, y1, TRIMS);
+    return iris_regress_rows_rough(line, twice_x, y0, y1, TRIMS);
 }
 
 void iris_follow_configure(iris_follow *follow, iris_size size, const iris_follow_config *config)

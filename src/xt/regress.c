@@ -1,4 +1,5 @@
 #include "iris/xt/regress.h"
+#include "regress_rows.h"
 
 #define COORDINATE_MAX 65535
 #define POINTS_MAX     ((int64_t)1 << 30)
@@ -78,20 +79,23 @@ static int are_plausible(const iris_moments *m)
            m->xx <= most_squares && m->yy >= 0 && m->yy <= most_squares;
 }
 
-/* The direction of largest spread, from sums around the center (all of one scale): it has half the angle of
- * (yy - xx, -2 xy), counted from straight up. */
-static iris_status set_direction(iris_line *line, int64_t xx, int64_t xy, int64_t yy)
+/* The direction of largest spread, from sums around the center (both of one scale): it has half the angle of
+ * (difference, -2 xy), counted from straight up; difference is that of yy and xx. */
+static iris_status set_angle(iris_line *line, int64_t difference, int64_t xy)
 {
-    int64_t difference = yy - xx;
     if (xy == 0 && difference == 0) {
         return IRIS_ERR_RANGE;
     }
     shrink(&xy, &difference);
     int32_t doubled = iris_atan2_angle(-2 * (int32_t)xy, (int32_t)difference);
     line->angle = (iris_angle)(doubled >> 1);
+    return IRIS_OK;
+}
+
+static void set_direction(iris_line *line)
+{
     line->dx = iris_sin_q30(line->angle);
     line->dy = -iris_cos_q30(line->angle);
-    return IRIS_OK;
 }
 
 iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
@@ -103,52 +107,15 @@ iris_status iris_regress_moments(iris_line *line, const iris_moments *moments)
         return IRIS_ERR_RANGE;
     }
     int64_t n = moments->n;
-    iris_status status = set_direction(line, centered(moments->xx, moments->x, moments->x, n),
-                                       centered(moments->xy, moments->x, moments->y, n),
-                                       centered(moments->yy, moments->y, moments->y, n));
+    iris_status status = set_angle(line,
+                                   centered(moments->yy, moments->y, moments->y, n) -
+                                       centered(moments->xx, moments->x, moments->x, n),
+                                   centered(moments->xy, moments->x, moments->y, n));
     if (status == IRIS_OK) {
+        set_direction(line);
         line->x_q16 = mean_q16(moments->x, n);
         line->y_q16 = mean_q16(moments->y, n);
         line->points = (int32_t)n;
-    }
-    return status;
-}
-
-/* Sums over at most 2^14 points at twice the scale, within +-32767: products fit in 32 bits, and n times a sum
- * of them in 64, so that no 64-bit division is needed. */
-typedef struct {
-    int32_t n, x, y;
-    int64_t xx, xy, yy;
-} near_sums;
-
-static void add_near(near_sums *sums, int32_t twice_x, int32_t twice_y)
-{
-    sums->n += 1;
-    sums->x += twice_x;
-    sums->y += twice_y;
-    sums->xx += twice_x * twice_x;
-    sums->xy += twice_x * twice_y;
-    sums->yy += twice_y * twice_y;
-}
-
-static iris_q16 near_mean_q16(int32_t twice_sum, int32_t n)
-{
-    return twice_sum / n * 32768 + twice_sum % n * 32768 / n;
-}
-
-static iris_status fit_near(iris_line *line, const near_sums *sums)
-{
-    int64_t n = sums->n;
-    if (n < 1) {
-        return IRIS_ERR_RANGE;
-    }
-    iris_status status =
-        set_direction(line, n * sums->xx - (int64_t)sums->x * sums->x,
-                      n * sums->xy - (int64_t)sums->x * sums->y, n * sums->yy - (int64_t)sums->y * sums->y);
-    if (status == IRIS_OK) {
-        line->x_q16 = near_mean_q16(sums->x, sums->n);
-        line->y_q16 = near_mean_q16(sums->y, sums->n);
-        line->points = sums->n;
     }
     return status;
 }
@@ -158,14 +125,27 @@ iris_status iris_regress_points(iris_line *line, const iris_point *points, int32
     if (!line || !points || count < 0 || count > IRIS_REGRESS_POINTS_MAX) {
         return IRIS_ERR_ARG;
     }
-    near_sums sums = {0};
+    iris_moments twice = {0};
     for (int32_t i = 0; i < count; i++) {
         if (points[i].twice_x == INT16_MIN || points[i].twice_y == INT16_MIN) {
             return IRIS_ERR_ARG;
         }
-        add_near(&sums, points[i].twice_x, points[i].twice_y);
+        iris_moments_add(&twice, points[i].twice_x, points[i].twice_y);
     }
-    return fit_near(line, &sums);
+    iris_status status = iris_regress_moments(line, &twice);
+    if (status == IRIS_OK) {
+        line->x_q16 /= 2;
+        line->y_q16 /= 2;
+    }
+    return status;
+}
+
+/* sin(pi / 2 * t), t from -1 to 1, both with 15 fraction bits: the odd polynomial of degree 5, within 2^-12. */
+static int32_t rough_sine_q15(int32_t t_q15)
+{
+    int32_t square = t_q15 * t_q15 >> 15;
+    int32_t sum = 51466 - ((21077 - (2383 * square >> 15)) * square >> 15);
+    return t_q15 * (sum >> 1) >> 14;
 }
 
 /* Distance of a point from the line in quarter pixels (12 fraction bits of the direction keep it in 32 bits).
@@ -178,28 +158,68 @@ static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
     return across < 0 ? -across : across;
 }
 
-/* The line through the rows' points within the limit of *line; all points when it is negative. */
-static iris_status fit_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t limit_q2)
+/* Rows y0 to y1 without those that are farther from `line` than the limit. */
+typedef struct {
+    const int16_t *twice_x;
+    int32_t y0, y1, limit_q2;
+    iris_line line;
+} row_set;
+
+/* The next row from y on that takes part, or one behind y1. */
+static int32_t next_row(const row_set *rows, int32_t y)
 {
-    near_sums sums = {0};
-    for (int32_t y = y0; y <= y1; y++) {
-        if (twice_x[y] != IRIS_REGRESS_NONE &&
-            (limit_q2 < 0 || distance_q2(line, twice_x[y], y) <= limit_q2)) {
-            add_near(&sums, twice_x[y], 2 * y);
-        }
+    while (y <= rows->y1 && (rows->twice_x[y] == IRIS_REGRESS_NONE ||
+                             distance_q2(&rows->line, rows->twice_x[y], y) > rows->limit_q2)) {
+        y++;
     }
-    return fit_near(line, &sums);
+    return y;
+}
+
+/* The line through the rows, in two passes: first the center, then what is around it. At twice the scale, at most 2^14
+ * rows are within +-32767 and 0..32766: all products fit in 32 bits. */
+static iris_status fit_rows(iris_line *line, const row_set *rows)
+{
+    int32_t n = 0, x = 0, y = 0;
+    for (int32_t row = next_row(rows, rows->y0); row <= rows->y1; row = next_row(rows, row + 1)) {
+        n++;
+        x += rows->twice_x[row];
+        y += 2 * row;
+    }
+    if (n < 1) {
+        return IRIS_ERR_RANGE;
+    }
+    int32_t center_x = x / n, center_y = y / n;
+    int64_t difference = 0, xy = 0;
+    for (int32_t row = next_row(rows, rows->y0); row <= rows->y1; row = next_row(rows, row + 1)) {
+        int32_t from_x = rows->twice_x[row] - center_x, from_y = 2 * row - center_y;
+        difference += from_y * from_y;
+        difference -= (uint32_t)from_x * (uint32_t)from_x;
+        xy += from_x * from_y;
+    }
+    /* what the whole numbers miss of the center, as the rest and with 16 fraction bits */
+    int32_t rest_x = x - center_x * n, rest_y = y - center_y * n;
+    int32_t fraction_x = rest_x * 65536 / n, fraction_y = rest_y * 65536 / n;
+    difference = difference * 65536 - (rest_y * fraction_y - rest_x * fraction_x);
+    xy = xy * 65536 - rest_x * fraction_y;
+    iris_status status = set_angle(line, difference, xy);
+    if (status == IRIS_OK) {
+        int32_t t_q15 = 2 * line->angle;
+        line->dx = rough_sine_q15(t_q15) * 32768;
+        line->dy = -rough_sine_q15(t_q15 < 0 ? 32768 + t_q15 : 32768 - t_q15) * 32768;
+        line->x_q16 = center_x * 32768 + fraction_x / 2;
+        line->y_q16 = center_y * 32768 + fraction_y / 2;
+        line->points = n;
+    }
+    return status;
 }
 
 /* 2.5 times the mean distance of the rows' points from the line, in quarter pixels; a pixel at least. */
-static int32_t trim_limit_q2(const iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1)
+static int32_t trim_limit_q2(const row_set *rows)
 {
     uint32_t sum = 0, twice_points = 0; /* at most 2^14 rows of less than 2^18 each */
-    for (int32_t y = y0; y <= y1; y++) {
-        if (twice_x[y] != IRIS_REGRESS_NONE) {
-            sum += (uint32_t)distance_q2(line, twice_x[y], y);
-            twice_points += 2;
-        }
+    for (int32_t y = next_row(rows, rows->y0); y <= rows->y1; y = next_row(rows, y + 1)) {
+        sum += (uint32_t)distance_q2(&rows->line, rows->twice_x[y], y);
+        twice_points += 2;
     }
     if (twice_points == 0) {
         return 4;
@@ -208,19 +228,33 @@ static int32_t trim_limit_q2(const iris_line *line, const int16_t *twice_x, int3
     return limit < 4 ? 4 : limit;
 }
 
+iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1,
+                                    int32_t trims)
+{
+    row_set rows = {.twice_x = twice_x, .y0 = y0, .y1 = y1, .limit_q2 = INT32_MAX};
+    iris_status status = fit_rows(&rows.line, &rows);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    *line = rows.line;
+    for (; trims > 0; trims--) {
+        rows.line = *line;
+        rows.limit_q2 = INT32_MAX;
+        rows.limit_q2 = trim_limit_q2(&rows);
+        /* when what is left has no direction, the line before stays */
+        (void)fit_rows(line, &rows);
+    }
+    return IRIS_OK;
+}
+
 iris_status iris_regress_rows(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1, int32_t trims)
 {
     if (!line || !twice_x || y0 < 0 || y0 > y1 || y1 > IRIS_REGRESS_ROW_MAX || trims < 0 || trims > 4) {
         return IRIS_ERR_ARG;
     }
-    iris_line fitted = {0};
-    iris_status status = fit_rows(&fitted, twice_x, y0, y1, -1);
-    for (; status == IRIS_OK && trims > 0; trims--) {
-        /* when what is left has no direction, the line before stays */
-        fit_rows(&fitted, twice_x, y0, y1, trim_limit_q2(&fitted, twice_x, y0, y1));
-    }
+    iris_status status = iris_regress_rows_rough(line, twice_x, y0, y1, trims);
     if (status == IRIS_OK) {
-        *line = fitted;
+        set_direction(line);
     }
     return status;
 }
