@@ -11,25 +11,21 @@ static const struct {
     int16_t min, max;
 } limits[FIELDS] = {{0, 9999}, {-1000, 1000}, {0, 1000}, {-9000, 9000}, {-9999, 9999}, {0, 1000}};
 
-/* value is within -9999..9999. Digits by subtraction: small processors have no division. */
+/* value is within -9999..9999. */
 static char *put_number(char *at, int32_t value)
 {
-    static const int16_t powers[] = {1000, 100, 10, 1};
+    char digits[4];
+    int count = 0;
     if (value < 0) {
         *at++ = '-';
         value = -value;
     }
-    int begun = 0;
-    for (int i = 0; i < 4; i++) {
-        char digit = '0';
-        while (value >= powers[i]) {
-            value -= powers[i];
-            digit++;
-        }
-        begun |= digit != '0' || i == 3;
-        if (begun) {
-            *at++ = digit;
-        }
+    do {
+        digits[count++] = (char)('0' + value % 10);
+        value /= 10;
+    } while (value > 0);
+    while (count > 0) {
+        *at++ = digits[--count];
     }
     return at;
 }

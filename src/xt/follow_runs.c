@@ -3,11 +3,6 @@
 
 #define NO_CHAIN 255
 
-static int32_t width(iris_span span)
-{
-    return span.right - span.left + 1;
-}
-
 /* Keeps the longest runs of the row. Two neighbors with little between them are one, with glare on it. */
 static void keep(iris_follow *follow, iris_span *runs, int32_t *count, int32_t left, int32_t right)
 {
@@ -17,7 +12,8 @@ static void keep(iris_follow *follow, iris_span *runs, int32_t *count, int32_t l
     }
     if (*count > 0 && runs[*count - 1].right < left) {
         iris_span *before = &runs[*count - 1];
-        int32_t narrower = width(*before) < width(run) ? width(*before) : width(run);
+        int32_t narrower =
+            iris_span_width(*before) < iris_span_width(run) ? iris_span_width(*before) : iris_span_width(run);
         if ((left - before->right) * 2 <= narrower) {
             before->right = run.right;
             return;
@@ -29,9 +25,9 @@ static void keep(iris_follow *follow, iris_span *runs, int32_t *count, int32_t l
     }
     int32_t shortest = 0;
     for (int32_t i = 1; i < IRIS_FOLLOW_RUNS; i++) {
-        shortest = width(runs[i]) < width(runs[shortest]) ? i : shortest;
+        shortest = iris_span_width(runs[i]) < iris_span_width(runs[shortest]) ? i : shortest;
     }
-    if (width(run) > width(runs[shortest])) {
+    if (iris_span_width(run) > iris_span_width(runs[shortest])) {
         runs[shortest] = run;
     }
 }
@@ -83,6 +79,12 @@ static int32_t overlap(iris_span a, iris_span b)
     return right - left + 3;
 }
 
+/* Did the chain end so little above this row, or in it, that a run may continue it? */
+static int is_open(const iris_follow *follow, const iris_follow_chain *chain)
+{
+    return chain->bottom_y >= follow->y - 1 - follow->max_gap;
+}
+
 /* The chain to write a new one over: a free one, else the smallest that has ended, if it is small. */
 static int32_t free_chain(iris_follow *follow)
 {
@@ -92,8 +94,7 @@ static int32_t free_chain(iris_follow *follow)
     int32_t smallest = -1;
     for (int32_t c = 0; c < IRIS_FOLLOW_CHAINS; c++) {
         const iris_follow_chain *chain = &follow->chains[c];
-        int open = chain->bottom_y >= follow->y - 1 - follow->max_gap;
-        if (!open && (smallest < 0 || chain->area < follow->chains[smallest].area)) {
+        if (!is_open(follow, chain) && (smallest < 0 || chain->area < follow->chains[smallest].area)) {
             smallest = c;
         }
     }
@@ -142,43 +143,26 @@ static void grow(const iris_follow *follow, iris_span *run, iris_span above, con
     }
 }
 
-static void append(iris_follow *follow, int32_t number, iris_span run, const uint8_t *gray)
+static void append(const iris_follow *follow, iris_follow_chain *chain, iris_span run, const uint8_t *gray)
 {
-    iris_follow_chain *chain = &follow->chains[number];
     chain->bottom = run;
     chain->bottom_y = (uint16_t)follow->y;
     chain->rows++;
-    chain->area += width(run);
-    if (width(run) > chain->widest) {
-        chain->widest = (uint16_t)width(run);
+    chain->area += iris_span_width(run);
+    if (iris_span_width(run) > chain->widest) {
+        chain->widest = (uint16_t)iris_span_width(run);
     }
     sample_contrast(follow, chain, run, gray);
 }
 
-static void start_chain(iris_follow *follow, int32_t number, iris_span run)
+/* Returns the new chain's number, or -1 when there is no room. */
+static int32_t start_chain(iris_follow *follow, iris_span run)
 {
-    static const iris_follow_chain empty = {.next = -1};
-    iris_follow_chain *chain = &follow->chains[number];
-    *chain = empty;
-    chain->top = run;
-    chain->top_y = (uint16_t)follow->y;
-}
-
-/* The chain that run continues with the largest overlap, among those that ended above and not in this row. */
-static int32_t best_chain(const iris_follow *follow, iris_span run, int32_t *most)
-{
-    int32_t best = -1;
-    for (int32_t c = 0; c < follow->chain_count; c++) {
-        const iris_follow_chain *chain = &follow->chains[c];
-        if (chain->bottom_y < follow->y && chain->bottom_y >= follow->y - 1 - follow->max_gap) {
-            int32_t shared = overlap(chain->bottom, run);
-            if (shared > 0 && (best < 0 || shared > *most)) {
-                best = c;
-                *most = shared;
-            }
-        }
+    int32_t number = free_chain(follow);
+    if (number >= 0) {
+        follow->chains[number] = (iris_follow_chain){.top = run, .top_y = (uint16_t)follow->y, .next = -1};
     }
-    return best;
+    return number;
 }
 
 /* Shortens the chain by its last rows as long as they span nearly the whole image. */
@@ -205,10 +189,38 @@ static void shorten(iris_follow *follow, iris_follow_chain *chain, uint8_t numbe
 void iris_follow_take_back(iris_follow *follow)
 {
     for (int32_t c = 0; c < follow->chain_count; c++) {
-        if (follow->chains[c].bottom_y >= follow->y - 1 - follow->max_gap) {
+        if (is_open(follow, &follow->chains[c])) {
             shorten(follow, &follow->chains[c], (uint8_t)c);
         }
     }
+}
+
+/* What is done next: among the runs without a chain and the chains that ended above and not in this row, the pair that
+ * share most, so that a fork continues on its thicker side; else the first such run alone. */
+typedef struct {
+    int32_t run, chain; /* -1: none */
+} iris_follow_pair;
+
+static iris_follow_pair best_pair(const iris_follow *follow, const iris_span *runs, const uint8_t *owner,
+                                  int32_t count)
+{
+    iris_follow_pair best = {-1, -1};
+    int32_t most = 0;
+    for (int32_t i = 0; i < count; i++) {
+        if (owner[i] != NO_CHAIN) {
+            continue;
+        }
+        best.run = best.run < 0 ? i : best.run;
+        for (int32_t c = 0; c < follow->chain_count; c++) {
+            const iris_follow_chain *chain = &follow->chains[c];
+            int32_t shared = overlap(chain->bottom, runs[i]);
+            if (shared > most && chain->bottom_y < follow->y && is_open(follow, chain)) {
+                best = (iris_follow_pair){i, c};
+                most = shared;
+            }
+        }
+    }
+    return best;
 }
 
 void iris_follow_collect(iris_follow *follow, const uint8_t *gray)
@@ -219,33 +231,17 @@ void iris_follow_collect(iris_follow *follow, const uint8_t *gray)
     for (int32_t i = 0; i < IRIS_FOLLOW_RUNS; i++) {
         owner[i] = NO_CHAIN;
     }
-    /* the pair of run and chain that share most comes first, so that a fork continues on its thicker side */
-    for (int32_t round = 0; round < count; round++) {
-        int32_t run = -1, chain = -1, most = 0;
-        for (int32_t i = 0; i < count; i++) {
-            int32_t shared = 0;
-            int32_t candidate = owner[i] == NO_CHAIN ? best_chain(follow, runs[i], &shared) : -1;
-            if (candidate >= 0 && shared > most) {
-                run = i;
-                chain = candidate;
-                most = shared;
-            }
+    for (;;) {
+        iris_follow_pair next = best_pair(follow, runs, owner, count);
+        if (next.run >= 0 && next.chain < 0) {
+            next.chain = start_chain(follow, runs[next.run]);
+        } else if (next.run >= 0 && gray && follow->chains[next.chain].bottom_y == follow->y - 1) {
+            grow(follow, &runs[next.run], follow->chains[next.chain].bottom, gray);
         }
-        if (run < 0) {
-            break;
+        if (next.chain < 0) {
+            return;
         }
-        if (gray && follow->chains[chain].bottom_y == follow->y - 1) {
-            grow(follow, &runs[run], follow->chains[chain].bottom, gray);
-        }
-        append(follow, chain, runs[run], gray);
-        owner[run] = (uint8_t)chain;
-    }
-    for (int32_t i = 0; i < count; i++) {
-        int32_t chain = owner[i] == NO_CHAIN ? free_chain(follow) : -1;
-        if (chain >= 0) {
-            start_chain(follow, chain, runs[i]);
-            append(follow, chain, runs[i], gray);
-            owner[i] = (uint8_t)chain;
-        }
+        append(follow, &follow->chains[next.chain], runs[next.run], gray);
+        owner[next.run] = (uint8_t)next.chain;
     }
 }

@@ -14,6 +14,12 @@ static int32_t clamp(int32_t value, int32_t low, int32_t high)
     return value < low ? low : value > high ? high : value;
 }
 
+/* value limited to -most..most. */
+static int32_t within(int32_t value, int32_t most)
+{
+    return clamp(value, -most, most);
+}
+
 static int32_t magnitude(int32_t value)
 {
     return value < 0 ? -value : value;
@@ -86,7 +92,7 @@ static void follow_rate(iris_steer *steer, int32_t offset_q16, int32_t elapsed_m
     if (!steer->settled) {
         steer->rate_q24 = 0;
     } else if (elapsed_ms > 0) {
-        int32_t rate_q24 = clamp((offset_q16 - steer->offset_q16) * 256 / elapsed_ms, -RATE_MAX, RATE_MAX);
+        int32_t rate_q24 = within((offset_q16 - steer->offset_q16) * 256 / elapsed_ms, RATE_MAX);
         int32_t share_q8 = elapsed_ms * 256 / (elapsed_ms + steer->config.filter_ms);
         steer->rate_q24 += (rate_q24 - steer->rate_q24) * share_q8 / 256;
     }
@@ -109,8 +115,8 @@ static int at_bend(const iris_steer *steer, const iris_follow_result *line)
 /* The direction to steer for, -180 to 180 degrees, and the memory of bends. *sharp is the sharpest one in sight. */
 static int32_t direction(int32_t *sharp, iris_steer *steer, const iris_follow_result *line)
 {
-    int32_t angle = clamp(line->angle, -QUARTER_TURN, QUARTER_TURN);
-    int32_t next = line->has_next ? clamp(line->next_angle, -QUARTER_TURN, QUARTER_TURN) : 0;
+    int32_t angle = within(line->angle, QUARTER_TURN);
+    int32_t next = line->has_next ? within(line->next_angle, QUARTER_TURN) : 0;
     *sharp = magnitude(angle) > magnitude(next) ? magnitude(angle) : magnitude(next);
     if (magnitude(next) > BEND_ANGLE) {
         steer->bend = sign(next);
@@ -128,21 +134,20 @@ static void steer_for_line(iris_command *command, iris_steer *steer, const iris_
                            int32_t elapsed_ms)
 {
     const iris_steer_config *config = &steer->config;
-    int32_t near_q16 = clamp(line->offset_q16, -OFFSET_MAX, OFFSET_MAX);
-    int32_t far_q16 = clamp(line->lookahead_offset_q16, -OFFSET_MAX, OFFSET_MAX);
+    int32_t near_q16 = within(line->offset_q16, OFFSET_MAX);
+    int32_t far_q16 = within(line->lookahead_offset_q16, OFFSET_MAX);
     int32_t offset_q16 = near_q16 + (far_q16 - near_q16) / 8 * config->lookahead_permil / 125;
     int32_t sharp;
     int32_t angle = direction(&sharp, steer, line);
     follow_rate(steer, offset_q16, elapsed_ms);
-    int32_t ahead_q16 =
-        clamp(offset_q16 + steer->rate_q24 / 16 * config->derivative_ms / 16, -OFFSET_MAX, OFFSET_MAX);
+    int32_t ahead_q16 = within(offset_q16 + steer->rate_q24 / 16 * config->derivative_ms / 16, OFFSET_MAX);
     int32_t wanted =
         ahead_q16 * config->offset_gain_permil / 65536 + angle * config->angle_gain_permil / QUARTER_TURN;
     int32_t bent = sharp * config->angle_gain_permil / QUARTER_TURN;
     int32_t curve = magnitude(wanted) > bent ? magnitude(wanted) : bent;
     curve = clamp(curve, 0, config->curve_permil);
 
-    steer->steer = clamp(wanted, -config->limit_permil, config->limit_permil);
+    steer->steer = within(wanted, config->limit_permil);
     steer->side = steer->bend != 0 ? steer->bend : wanted < 0 ? -1 : 1;
     steer->seen = 1;
     steer->since_ms = 0;
@@ -177,10 +182,10 @@ iris_status iris_steer_update(iris_command *command, iris_steer *steer, const ir
     *command = (iris_command){.seq = steer->seq, .state = IRIS_LINE_LOST};
     steer->seq = steer->seq >= 9999 ? 0 : steer->seq + 1;
     if (line->state == IRIS_LINE_FOUND || line->state == IRIS_LINE_STALE) {
-        int32_t angle = clamp(line->angle, -QUARTER_TURN, QUARTER_TURN);
+        int32_t angle = within(line->angle, QUARTER_TURN);
         command->state = line->state;
         command->angle_centideg = iris_angle_to_centidegrees((iris_angle)angle);
-        command->offset_permil = clamp(line->offset_q16, -OFFSET_MAX, OFFSET_MAX) * 125 / 8192;
+        command->offset_permil = within(line->offset_q16, OFFSET_MAX) * 125 / 8192;
         command->confidence_permil = clamp(line->confidence_permil, 0, 1000);
     }
     if (line->state == IRIS_LINE_FOUND) {
@@ -197,6 +202,5 @@ int32_t iris_steer_wheel_centideg(const iris_steer *steer, const iris_command *c
     if (!steer || !command) {
         return 0;
     }
-    return clamp(command->steer_permil, -1000, 1000) * clamp(steer->config.full_lock_centideg, 0, 9000) /
-           1000;
+    return within(command->steer_permil, 1000) * clamp(steer->config.full_lock_centideg, 0, 9000) / 1000;
 }
