@@ -55,7 +55,8 @@ static int64_t centered(int64_t ab, int64_t a, int64_t b, int64_t n)
 /* Both values shifted right alike until they fit in 30 bits: their ratio is what counts. */
 static void shrink(int64_t *a, int64_t *b)
 {
-    while (*a > 0x3fffffff || *a < -0x3fffffff || *b > 0x3fffffff || *b < -0x3fffffff) {
+    int64_t all = (*a < 0 ? ~*a : *a) | (*b < 0 ? ~*b : *b);
+    for (; all > 0x3fffffff; all >>= 1) {
         *a >>= 1;
         *b >>= 1;
     }
