@@ -159,6 +159,8 @@ static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
     return across < 0 ? -across : across;
 }
 
+#define NO_LIMIT INT32_MAX
+
 /* Rows y0 to y1 without those that are farther from `line` than the limit. */
 typedef struct {
     const int16_t *twice_x;
@@ -169,8 +171,9 @@ typedef struct {
 /* The next row from y on that takes part, or one behind y1. */
 static int32_t next_row(const row_set *rows, int32_t y)
 {
-    while (y <= rows->y1 && (rows->twice_x[y] == IRIS_REGRESS_NONE ||
-                             distance_q2(&rows->line, rows->twice_x[y], y) > rows->limit_q2)) {
+    while (y <= rows->y1 &&
+           (rows->twice_x[y] == IRIS_REGRESS_NONE ||
+            (rows->limit_q2 != NO_LIMIT && distance_q2(&rows->line, rows->twice_x[y], y) > rows->limit_q2))) {
         y++;
     }
     return y;
@@ -232,7 +235,7 @@ static int32_t trim_limit_q2(const row_set *rows)
 iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1,
                                     int32_t trims)
 {
-    row_set rows = {.twice_x = twice_x, .y0 = y0, .y1 = y1, .limit_q2 = INT32_MAX};
+    row_set rows = {.twice_x = twice_x, .y0 = y0, .y1 = y1, .limit_q2 = NO_LIMIT};
     iris_status status = fit_rows(&rows.line, &rows);
     if (status != IRIS_OK) {
         return status;
@@ -240,7 +243,7 @@ iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int
     *line = rows.line;
     for (; trims > 0; trims--) {
         rows.line = *line;
-        rows.limit_q2 = INT32_MAX;
+        rows.limit_q2 = NO_LIMIT;
         rows.limit_q2 = trim_limit_q2(&rows);
         /* when what is left has no direction, the line before stays */
         (void)fit_rows(line, &rows);
