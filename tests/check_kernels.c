@@ -41,9 +41,7 @@ static void every_kernel_is_in_this_test(void **state)
 {
     (void)state;
     FILE *file = fopen("src/foundation/kernel.h", "r");
-    if (!file) {
-        skip();
-    }
+    assert_non_null(file); /* the tests run in the project's folder */
     char line[256];
     int declared = 0;
     while (fgets(line, sizeof line, file)) {

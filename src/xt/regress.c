@@ -149,8 +149,7 @@ static int32_t rough_sine_q15(int32_t t_q15)
     return t_q15 * (sum >> 1) >> 14;
 }
 
-/* Distance of a point from the line in quarter pixels (12 fraction bits of the direction keep it in 32 bits).
- */
+/* Distance of a point from the line in quarter pixels (12 fraction bits of the direction keep it in 32 bits). */
 static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
 {
     int32_t from_x = twice_x * 2 - (line->x_q16 >> 14);
