@@ -1,0 +1,122 @@
+/* A picture operation: what one command does to a picture, and what one stage of `iris pipe` does. A new one is a file
+ * cmd_<name>.c that defines `const operation operation_<name>`, its line in commands.h, and its line in main.c.
+ *
+ * Inputs come as IRIS_GRAY8, IRIS_RGB888, or IRIS_MASK1 (1-bit files, and masks made by the stage before), results are
+ * one of these. --roi, --border, -o, and --json are read and done here.
+ */
+#ifndef IRIS_TOOL_OPERATION_H
+#define IRIS_TOOL_OPERATION_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "args.h"
+#include "complain.h"
+#include "iris/border.h"
+#include "iris/image.h"
+#include "iris/scratch.h"
+#include "json.h"
+#include "picture.h"
+
+/* The end of every help text: the options that all operations share. */
+#define OPERATION_OPTIONS                                                                                    \
+    "  --roi x,y,w,h     works on this part alone; the rest of the picture stays as it was\n"                \
+    "  --json            one JSON object per picture\n"                                                      \
+    "  -o OUT            .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
+
+/* The same for operations that look at a pixel's surroundings. */
+#define OPERATION_BORDER_OPTIONS                                                                             \
+    "  --border RULE     beyond the edge: replicate (the default), reflect (mirrored at the\n"               \
+    "                    outermost pixel), constant (black; constant:N for level N), or skip\n"              \
+    "                    (pixels that would need it are not evaluated)\n" OPERATION_OPTIONS
+
+#define OPERATION_SETTINGS_BYTES 8192
+#define STAGE_PICTURES           6
+
+/* What an operation works with. */
+typedef struct stage {
+    const void *settings; /* what parse has filled in */
+    iris_border border;   /* of --border */
+    const char *file;     /* the input worked on, for complaints */
+    void *finding;        /* what apply leaves for report: stage_room; null for each new input */
+
+    /* Private. */
+    const struct operation *operation;
+    union {
+        uint8_t bytes[OPERATION_SETTINGS_BYTES];
+        uint64_t word;
+        void *pointer;
+    } memory;
+    int has_roi;
+    iris_rect roi;
+    picture_buffer pictures[STAGE_PICTURES];
+    int pictures_used;
+    picture_buffer roi_input, roi_output;
+    void *scratch_memory, *room_memory;
+    size_t scratch_bytes, room_bytes;
+    iris_scratch scratch;
+} stage;
+
+/* The words of a call, while they are read. */
+typedef struct operation_words {
+    int argc;
+    char **argv;
+    int in_pipe;         /* 1: no operands, no -o, no --json */
+    const char *output;  /* -o */
+    int json;            /* --json */
+    arguments arguments; /* operands */
+    stage *stage;
+    int exit_code; /* ARGS_GO, or why it ends here */
+} operation_words;
+
+typedef struct operation {
+    const char *name;
+    const char *summary; /* its line in iris --help */
+    const char *help;
+
+    /* Reads the options into settings (zeroed, OPERATION_SETTINGS_BYTES): calls operation_options first. Returns 1, or 0
+     * after complaining. Texts of options stay valid as long as the stage. */
+    int (*parse)(void *settings, operation_words *words);
+
+    /* Makes *result from *input, which is not to be changed: a view of input or of the stage's pictures. Returns an exit
+     * code, after complaining. */
+    int (*apply)(iris_image *result, const iris_image *input, stage *stage);
+
+    /* Adds members to the JSON object that has file, output, width, height, and kind; null: none. */
+    void (*report)(json_writer *json, const stage *stage);
+
+    int has_border;    /* 1: takes --border */
+    int reshapes;      /* 1: the result may have another size, so that there is no --roi */
+    int reports_alone; /* 1: --json needs no -o: without it no picture is written */
+} operation;
+
+/* Reads the words by these options and the shared ones. 1 to go on, 0 when the call ends here. */
+int operation_options(operation_words *words, const args_option *options, size_t count);
+
+/* A command's whole run; returns its exit code. */
+int operation_run(const operation *operation, int argc, char **argv);
+
+/* The input as IRIS_GRAY8 (color by its luma, masks as 0 and 255), as IRIS_RGB888, as IRIS_MASK1 (gray above 127), or as
+ * what it is, but masks as gray: the input itself, or one of the stage's pictures. Null after complaining. */
+const iris_image *stage_gray(stage *stage, const iris_image *input);
+const iris_image *stage_color(stage *stage, const iris_image *input);
+const iris_image *stage_mask(stage *stage, const iris_image *input);
+const iris_image *stage_levels(stage *stage, const iris_image *input);
+
+/* A picture of the stage's own, without defined pixels, valid until the next input. At most STAGE_PICTURES for one
+ * input, those of the conversions above included. Null after complaining. */
+const iris_image *stage_picture(stage *stage, iris_size size, iris_format format);
+
+/* A picture of the stage's own with the pixels of `image`. Null after complaining. */
+const iris_image *stage_copy(stage *stage, const iris_image *image);
+
+/* Working memory of `bytes` bytes, all free; one at a time. Null after complaining. */
+iris_scratch *stage_scratch(stage *stage, size_t bytes);
+
+/* Zeroed bytes for stage->finding and results of any length; one at a time. Null after complaining. */
+void *stage_room(stage *stage, size_t bytes);
+
+/* EXIT_DONE for IRIS_OK; else complains about stage->file, and EXIT_BAD_DATA. */
+int stage_exit(const stage *stage, iris_status status);
+
+#endif
