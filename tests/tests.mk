@@ -1,6 +1,7 @@
 # The tests. Every program and script here prints TAP; tests/tally counts the lines and prints the last one.
 #
 #   tests/*.c tests/xt/*.c tests/linux/*.c   CMocka, one program each
+#   tests/kernels/*.c                        what tests/check_kernels.c knows of each row kernel
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each
 #   tests/fuzz/*.c                           libFuzzer, one target each
@@ -16,18 +17,24 @@ export RUNNER CROSS_COMPILE OUT
 # tests/linux needs a kernel's own terminals: emulators of user programs do not know all of their calls.
 UNIT_SRC := $(wildcard tests/*.c tests/xt/*.c $(if $(RUNNER),,tests/$(OS)/*.c))
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(OUT)/tests/%)
-TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels,$@),-Isrc/foundation -Iport/cpu/$(PORT))
-CMOCKA   := $(if $(SYSROOT),-isystem $(SYSROOT)/usr/include -L$(SYSROOT)/usr/lib/aarch64-linux-gnu) -lcmocka
+KERNELINC := -Isrc/foundation -Iport/cpu/$(PORT)
+TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels,$@),$(KERNELINC))
+CMOCKAINC := $(if $(SYSROOT),-isystem $(SYSROOT)/usr/include)
+CMOCKA   := $(CMOCKAINC) $(if $(SYSROOT),-L$(SYSROOT)/usr/lib/aarch64-linux-gnu) -lcmocka
 
 $(OUT)/tests/%: tests/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
-	$(Q)$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) $(CMOCKA) -lm
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS) $(CMOCKA) -lm
 
 $(OUT)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
 	$(SAY)
 	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
+
+KERNEL_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/kernels/*.c))
+$(KERNEL_OBJ): TARGETINC := -Itests $(KERNELINC) $(CMOCKAINC)
+$(OUT)/tests/check_kernels: $(KERNEL_OBJ)
 
 DIGEST_OBJ  := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/digest/*.c))
 DIGEST_HOST := $(OUT)/tests/digest/host.o

@@ -1,8 +1,9 @@
 /* Digests: every operation of the library on generated pictures, one line each, the same on every processor.
  *
- * One file per module with one table of operations; main.c lists the tables. An operation takes its pictures from a
+ * One file per module with one table of operations; modules.h lists the tables. An operation takes its pictures from a
  * small arena (a microcontroller with 16 KB runs all of this), works, and adds its outputs to the digest.
- * A new operation: a function and a line in its table; `make golden`; look at the difference; commit both.
+ * A new operation: a function and a line in its table (a new module: its line in modules.h); `make golden`; look at the
+ * difference; commit both.
  */
 #ifndef IRIS_DIGEST_H
 #define IRIS_DIGEST_H
@@ -18,9 +19,10 @@ typedef struct {
     void (*run)(void);
 } digest_operation;
 
-/* Each ends with a null name. */
-extern const digest_operation digest_image[], digest_fixed[], digest_color[], digest_copy[], digest_draw[],
-    digest_files[], digest_command[], digest_threshold[], digest_hough[], digest_follow[], digest_steer[];
+/* digest_<module>: each ends with a null name. */
+#define DIGEST_MODULE(module) extern const digest_operation digest_##module[];
+#include "modules.h"
+#undef DIGEST_MODULE
 
 #define DIGEST_ARENA_BYTES 10240
 

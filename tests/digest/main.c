@@ -3,10 +3,11 @@
 
 #include <string.h>
 
+#define DIGEST_MODULE(module) digest_##module,
 static const digest_operation *const tables[] = {
-    digest_image,   digest_fixed,     digest_color, digest_copy,   digest_draw,  digest_files,
-    digest_command, digest_threshold, digest_hough, digest_follow, digest_steer,
+#include "modules.h"
 };
+#undef DIGEST_MODULE
 
 static IRIS_SCRATCH_BUFFER(arena, DIGEST_ARENA_BYTES);
 static struct {

@@ -1,0 +1,12 @@
+/* The tables of operations: one line for each, in the order of golden.txt. Included with DIGEST_MODULE defined. */
+DIGEST_MODULE(image)
+DIGEST_MODULE(fixed)
+DIGEST_MODULE(color)
+DIGEST_MODULE(copy)
+DIGEST_MODULE(draw)
+DIGEST_MODULE(files)
+DIGEST_MODULE(command)
+DIGEST_MODULE(threshold)
+DIGEST_MODULE(hough)
+DIGEST_MODULE(follow)
+DIGEST_MODULE(steer)
