@@ -116,3 +116,39 @@ int args_numbers(int32_t *numbers, int count, char separator, const char *text)
     }
     return 1;
 }
+
+int args_q16(int32_t *number, int32_t least_q16, int32_t most_q16, const char *text)
+{
+    int negative = text[0] == '-';
+    int64_t value = 0, scale = 1;
+    int digits = 0, after_point = 0;
+    for (text += negative; *text != '\0'; text++) {
+        if (*text == '.' && !after_point) {
+            after_point = 1;
+            continue;
+        }
+        if (*text < '0' || *text > '9' || value > INT32_MAX) {
+            return 0;
+        }
+        if (scale < 1000000000) { /* further digits are below half of 1/65536 */
+            value = value * 10 + (*text - '0');
+            scale *= after_point ? 10 : 1;
+        }
+        digits++;
+    }
+    int64_t q16 = value > INT32_MAX ? INT32_MAX : (value * 65536 * 2 + scale) / (2 * scale);
+    q16 = negative ? -q16 : q16;
+    *number = (int32_t)q16;
+    return digits > 0 && value <= INT32_MAX && q16 >= least_q16 && q16 <= most_q16;
+}
+
+int args_rect(iris_rect *rect, const char *option, const char *text)
+{
+    int32_t n[4];
+    if (!args_numbers(n, 4, ',', text) || n[0] < 0 || n[1] < 0 || n[2] < 1 || n[3] < 1) {
+        complain(option, "x,y,w,h in pixels, not '%s'", text);
+        return 0;
+    }
+    *rect = (iris_rect){n[0], n[1], n[2], n[3]};
+    return 1;
+}

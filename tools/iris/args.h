@@ -9,6 +9,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "iris/image.h"
+
 /* What args_parse returns when the command is to go on; anything else is the exit code. */
 #define ARGS_GO (-1)
 
@@ -34,5 +36,12 @@ int args_parse(arguments *args, int argc, char **argv);
 /* Reads exactly `count` whole numbers with `separator` between them: "320x240", "1,2,3,4". 1 when text is that, else 0
  * with numbers undefined. */
 int args_numbers(int32_t *numbers, int count, char separator, const char *text);
+
+/* Reads a decimal number such as "1.4", "-0.25", or "3" with 16 fraction bits, rounded half away from zero. 1 when text
+ * is that and within `least` to `most`, else 0 with *number undefined. */
+int args_q16(int32_t *number, int32_t least_q16, int32_t most_q16, const char *text);
+
+/* Reads x,y,w,h with x and y at least 0, w and h at least 1. Complains about `option` and returns 0 otherwise. */
+int args_rect(iris_rect *rect, const char *option, const char *text);
 
 #endif

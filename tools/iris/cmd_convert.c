@@ -1,12 +1,8 @@
 #include <string.h>
 
-#include "args.h"
 #include "commands.h"
-#include "complain.h"
-#include "iris/color.h"
 #include "iris/copy.h"
-#include "iris/xt/threshold.h"
-#include "picture_job.h"
+#include "operation.h"
 
 static const char help[] =
     "usage: iris convert [--crop x,y,w,h] [--resize WxH [--nearest]] [--format FORMAT]\n"
@@ -19,7 +15,7 @@ static const char help[] =
     "  --format gray     8 bits (luma)\n"
     "  --format rgb      24 bits\n"
     "  --format mask     1 bit: white where luma is above 127\n"
-    "  --json            one JSON object per picture: file, output, width, height, kind\n"
+    "  --json            one JSON object per picture\n"
     "  -o OUT            .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
     "                    (IN - and OUT -: every picture that comes, in turn)\n\n"
     "example: iris convert --crop 0,120,320,120 --resize 160x60 frame.bmp -o near.pgm\n";
@@ -31,73 +27,73 @@ typedef struct {
     iris_format format; /* 0: as it is */
 } conversion;
 
-static int resize(iris_image *image, picture_job *job, const conversion *to)
+/* Masks are resized as gray and cut again. */
+static int resize(iris_image *image, operation_stage *stage, const conversion *to)
 {
-    if (!picture_job_reserve(job, &job->first, to->size, image->format)) {
+    int is_mask = image->format == IRIS_MASK1;
+    const iris_image *from = stage_levels(stage, image);
+    const iris_image *resized = from ? stage_picture(stage, to->size, from->format) : NULL;
+    if (!resized) {
         return EXIT_BAD_DATA;
     }
-    iris_status status = to->nearest ? iris_resize_nearest(&job->first.image, image)
-                                     : iris_resize_bilinear(&job->first.image, image);
-    if (status != IRIS_OK) {
-        complain(job->file, "%s", iris_status_text(status));
+    int exit_code = stage_exit(stage, to->nearest ? iris_resize_nearest(resized, from)
+                                                  : iris_resize_bilinear(resized, from));
+    if (exit_code == EXIT_DONE && is_mask) {
+        resized = stage_mask(stage, resized);
+    }
+    if (!resized) {
         return EXIT_BAD_DATA;
     }
-    *image = job->first.image;
-    return EXIT_DONE;
-}
-
-static int reformat(iris_image *image, picture_job *job, iris_format format)
-{
-    iris_size size = {image->w, image->h};
-    if (format == IRIS_MASK1) {
-        if (image->format != IRIS_GRAY8 && reformat(image, job, IRIS_GRAY8) != EXIT_DONE) {
-            return EXIT_BAD_DATA;
-        }
-        picture_buffer *room = image->data == job->second.memory ? &job->first : &job->second;
-        if (!picture_job_reserve(job, room, size, IRIS_MASK1)) {
-            return EXIT_BAD_DATA;
-        }
-        iris_threshold(&room->image, image, 127, IRIS_SELECT_BRIGHT);
-        *image = room->image;
-    } else if (format != image->format) {
-        if (!picture_job_reserve(job, &job->second, size, format)) {
-            return EXIT_BAD_DATA;
-        }
-        iris_color_convert(&job->second.image, image);
-        *image = job->second.image;
-    }
-    return EXIT_DONE;
-}
-
-static int work(iris_image *result, const iris_image *input, picture_job *job)
-{
-    const conversion *to = job->options;
-    int exit_code = EXIT_DONE;
-    *result = *input;
-    if (to->crops && iris_image_crop(result, input, to->crop) != IRIS_OK) {
-        complain(job->file, "--crop is not wholly inside the picture of %dx%d pixels", (int)input->w,
-                 (int)input->h);
-        return EXIT_BAD_CALL;
-    }
-    if (to->resizes) {
-        exit_code = resize(result, job, to);
-    }
-    if (exit_code == EXIT_DONE && to->format) {
-        exit_code = reformat(result, job, to->format);
-    }
+    *image = *resized;
     return exit_code;
 }
 
-static int read_crop(conversion *to, const char *text)
+/* A mask's part begins at any pixel, so that it is a copy. */
+static int crop(iris_image *image, operation_stage *stage, iris_rect part)
 {
-    int32_t n[4];
-    if (!args_numbers(n, 4, ',', text) || n[0] < 0 || n[1] < 0 || n[2] < 1 || n[3] < 1) {
-        complain("--crop", "x,y,w,h in pixels, not '%s'", text);
-        return 0;
+    if (part.x > image->w - part.w || part.y > image->h - part.h) {
+        complain(stage->file, "--crop is not wholly inside the picture of %dx%d pixels", (int)image->w,
+                 (int)image->h);
+        return EXIT_BAD_CALL;
     }
-    to->crop = (iris_rect){n[0], n[1], n[2], n[3]};
-    to->crops = 1;
-    return 1;
+    if (image->format != IRIS_MASK1) {
+        return stage_exit(stage, iris_image_crop(image, image, part));
+    }
+    const iris_image *copy = stage_picture(stage, (iris_size){part.w, part.h}, IRIS_MASK1);
+    if (!copy) {
+        return EXIT_BAD_DATA;
+    }
+    iris_mask_copy(copy, image, part.x, part.y);
+    *image = *copy;
+    return EXIT_DONE;
+}
+
+static int reformat(iris_image *image, operation_stage *stage, iris_format format)
+{
+    const iris_image *made = format == IRIS_MASK1   ? stage_mask(stage, image)
+                             : format == IRIS_GRAY8 ? stage_gray(stage, image)
+                                                    : stage_color(stage, image);
+    if (made) {
+        *image = *made;
+    }
+    return made ? EXIT_DONE : EXIT_BAD_DATA;
+}
+
+static int apply(iris_image *result, const iris_image *input, operation_stage *stage)
+{
+    const conversion *to = stage->settings;
+    int exit_code = EXIT_DONE;
+    *result = *input;
+    if (to->crops) {
+        exit_code = crop(result, stage, to->crop);
+    }
+    if (exit_code == EXIT_DONE && to->resizes) {
+        exit_code = resize(result, stage, to);
+    }
+    if (exit_code == EXIT_DONE && to->format) {
+        exit_code = reformat(result, stage, to->format);
+    }
+    return exit_code;
 }
 
 static int read_size(conversion *to, const char *text)
@@ -125,26 +121,32 @@ static int read_format(conversion *to, const char *text)
     return to->format != 0;
 }
 
-int cmd_convert(int argc, char **argv)
+static int parse(void *settings, operation_words *words)
 {
-    conversion to = {0};
-    const char *crop = NULL, *size = NULL, *format = NULL;
-    picture_job job = {.command = argv[0], .work = work, .options = &to};
-    const args_option options[] = {{"crop", 0, NULL, &crop},           {"resize", 0, NULL, &size},
-                                   {"nearest", 0, &to.nearest, NULL},  {"format", 0, NULL, &format},
-                                   {"output", 'o', NULL, &job.output}, {"json", 0, &job.json, NULL}};
-    arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
-    int exit_code = args_parse(&args, argc, argv);
-    if (exit_code != ARGS_GO) {
-        return exit_code;
+    conversion *to = settings;
+    const char *part = NULL, *size = NULL, *format = NULL;
+    const args_option options[] = {{"crop", 0, NULL, &part},
+                                   {"resize", 0, NULL, &size},
+                                   {"nearest", 0, &to->nearest, NULL},
+                                   {"format", 0, NULL, &format}};
+    if (!operation_options(words, options, sizeof options / sizeof options[0])) {
+        return 0;
     }
-    if ((crop && !read_crop(&to, crop)) || (size && !read_size(&to, size)) ||
-        (format && !read_format(&to, format))) {
-        return EXIT_BAD_CALL;
+    if ((part && !args_rect(&to->crop, "--crop", part)) || (size && !read_size(to, size)) ||
+        (format && !read_format(to, format))) {
+        return 0;
     }
-    if (to.nearest && !to.resizes) {
+    to->crops = part != NULL;
+    if (to->nearest && !to->resizes) {
         complain("--nearest", "only together with --resize");
-        return EXIT_BAD_CALL;
+        return 0;
     }
-    return picture_job_run(&job, &args);
+    return 1;
 }
+
+const operation operation_convert = {.name = "convert",
+                                     .summary = "another format, size, or part of pictures",
+                                     .help = help,
+                                     .parse = parse,
+                                     .apply = apply,
+                                     .reshapes = 1};

@@ -1,56 +1,54 @@
 #include <string.h>
 
-#include "args.h"
 #include "commands.h"
-#include "complain.h"
 #include "iris/color.h"
-#include "picture_job.h"
+#include "operation.h"
 
-static const char help[] =
-    "usage: iris gray [--method METHOD] [--json] IN... -o OUT\n\n"
-    "Color pictures to gray. Gray ones stay as they are.\n\n"
-    "  --method luma       0.299 R + 0.587 G + 0.114 B (the default)\n"
-    "  --method average    (R + G + B) / 3\n"
-    "  --method green      G alone\n"
-    "  --json              one JSON object per picture: file, output, width, height, kind\n"
-    "  -o OUT              .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
-    "                      (IN - and OUT -: every picture that comes, in turn)\n\n"
-    "example: iris gray --method green photo.bmp -o photo.pgm\n";
+static const char help[] = "usage: iris gray [--method METHOD] [--roi x,y,w,h] [--json] IN... -o OUT\n\n"
+                           "Color pictures to gray. Gray ones stay as they are.\n\n"
+                           "  --method luma     0.299 R + 0.587 G + 0.114 B (the default)\n"
+                           "  --method average  (R + G + B) / 3\n"
+                           "  --method green    G alone\n" OPERATION_OPTIONS "\n"
+                           "example: iris gray --method green photo.bmp -o photo.pgm\n";
 
-static int work(iris_image *result, const iris_image *input, picture_job *job)
-{
-    const iris_gray_method *method = job->options;
-    if (!picture_job_reserve(job, &job->first, (iris_size){input->w, input->h}, IRIS_GRAY8)) {
-        return EXIT_BAD_DATA;
-    }
-    iris_color_gray(&job->first.image, input, *method);
-    *result = job->first.image;
-    return EXIT_DONE;
-}
+typedef struct {
+    iris_gray_method method;
+} graying;
 
-int cmd_gray(int argc, char **argv)
+static int parse(void *settings, operation_words *words)
 {
     static const struct {
         const char *name;
         iris_gray_method method;
     } methods[] = {{"luma", IRIS_GRAY_LUMA}, {"average", IRIS_GRAY_AVERAGE}, {"green", IRIS_GRAY_GREEN}};
+    graying *by = settings;
     const char *name = "luma";
-    const iris_gray_method *method = NULL;
-    picture_job job = {.command = argv[0], .work = work};
-    const args_option options[] = {
-        {"method", 0, NULL, &name}, {"output", 'o', NULL, &job.output}, {"json", 0, &job.json, NULL}};
-    arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
-    int exit_code = args_parse(&args, argc, argv);
-    if (exit_code != ARGS_GO) {
-        return exit_code;
+    const args_option options[] = {{"method", 0, NULL, &name}};
+    if (!operation_options(words, options, 1)) {
+        return 0;
     }
     for (size_t i = 0; i < sizeof methods / sizeof methods[0]; i++) {
-        method = strcmp(methods[i].name, name) == 0 ? &methods[i].method : method;
+        if (strcmp(methods[i].name, name) == 0) {
+            by->method = methods[i].method;
+            return 1;
+        }
     }
-    if (!method) {
-        complain("--method", "luma, average, or green, not '%s'", name);
-        return EXIT_BAD_CALL;
-    }
-    job.options = method;
-    return picture_job_run(&job, &args);
+    complain("--method", "luma, average, or green, not '%s'", name);
+    return 0;
 }
+
+static int apply(iris_image *result, const iris_image *input, operation_stage *stage)
+{
+    const graying *by = stage->settings;
+    const iris_image *levels = stage_levels(stage, input);
+    const iris_image *gray =
+        levels ? stage_picture(stage, (iris_size){input->w, input->h}, IRIS_GRAY8) : NULL;
+    if (!gray) {
+        return EXIT_BAD_DATA;
+    }
+    *result = *gray;
+    return stage_exit(stage, iris_color_gray(gray, levels, by->method));
+}
+
+const operation operation_gray = {
+    .name = "gray", .summary = "color pictures to gray", .help = help, .parse = parse, .apply = apply};

@@ -1,22 +1,19 @@
-#include "args.h"
 #include "commands.h"
-#include "complain.h"
 #include "iris/xt/threshold.h"
-#include "picture_job.h"
+#include "operation.h"
 
 static const char help[] =
-    "usage: iris threshold (--value N | --otsu | --adaptive R,C) [--invert] [--json] IN... -o OUT\n\n"
+    "usage: iris threshold (--value N | --otsu | --adaptive R,C) [--invert]\n"
+    "                      [--roi x,y,w,h] [--json] IN... -o OUT\n\n"
     "Gray pictures to masks: white is what is brighter than the threshold. Color counts by its luma.\n\n"
     "  --value N         above N, 0 to 255\n"
     "  --otsu            above the value that separates dark and bright best\n"
     "  --adaptive R,C    above the mean of the (2R+1)x(2R+1) pixels around, less C;\n"
     "                    R 0 to 1023, C -255 to 255\n"
     "  --invert          white is the rest: with C above 0, what is darker than its\n"
-    "                    surroundings, such as a line narrower than R\n"
-    "  --json            one JSON object per picture: file, output, width, height, kind,\n"
-    "                    threshold (the value used; null with --adaptive)\n"
-    "  -o OUT            .bmp (1 bit) or .pgm (0 and 255); a folder for several inputs;\n"
-    "                    -: standard output (IN - and OUT -: every picture in turn)\n\n"
+    "                    surroundings, such as a line narrower than R\n" OPERATION_OPTIONS "\n"
+    "A mask is a BMP of 1 bit, or a PGM of 0 and 255. JSON has the threshold used too\n"
+    "(null with --adaptive).\n\n"
     "example: iris threshold --adaptive 60,15 --invert floor.bmp -o line.bmp\n";
 
 typedef struct {
@@ -25,34 +22,42 @@ typedef struct {
     iris_select select;
 } thresholding;
 
-/* Where the library works: enough for the widest picture and window, and for Otsu's histogram. */
-static IRIS_SCRATCH_BUFFER(memory, IRIS_THRESHOLD_SCRATCH_BYTES(IRIS_SIDE_MAX, IRIS_THRESHOLD_RADIUS_MAX));
+/* What apply leaves for report. */
+typedef struct {
+    int has_value;
+    uint8_t value;
+} finding;
 
-static int work(iris_image *result, const iris_image *input, picture_job *job)
+static int apply(iris_image *result, const iris_image *input, operation_stage *stage)
 {
-    const thresholding *by = job->options;
-    const iris_image *gray = picture_job_gray(job, input);
-    iris_scratch scratch;
-    uint8_t otsu;
-    iris_status status;
-    if (!gray || !picture_job_reserve(job, &job->second, (iris_size){input->w, input->h}, IRIS_MASK1)) {
+    const thresholding *by = stage->settings;
+    const iris_image *gray = stage_gray(stage, input);
+    const iris_image *mask = gray ? stage_picture(stage, (iris_size){input->w, input->h}, IRIS_MASK1) : NULL;
+    finding *found = mask ? stage_room(stage, sizeof *found) : NULL;
+    size_t bytes = by->radius >= 0 ? IRIS_THRESHOLD_SCRATCH_BYTES(input->w, by->radius)
+                                   : IRIS_THRESHOLD_OTSU_SCRATCH_BYTES;
+    iris_scratch *scratch = found ? stage_scratch(stage, bytes) : NULL;
+    if (!scratch) {
         return EXIT_BAD_DATA;
     }
-    *result = job->second.image;
-    iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
+    *result = *mask;
+    stage->finding = found;
     if (by->radius >= 0) {
-        status = iris_threshold_adaptive(result, gray, by->radius, by->c, by->select, &scratch);
-    } else if (by->value >= 0) {
-        job->threshold = (int)by->value;
-        status = iris_threshold(result, gray, (uint8_t)by->value, by->select);
-    } else {
-        status = iris_threshold_otsu(&otsu, result, gray, by->select, &scratch);
-        job->threshold = otsu;
+        return stage_exit(stage, iris_threshold_adaptive(mask, gray, by->radius, by->c, by->select, scratch));
     }
-    if (status != IRIS_OK) {
-        complain(job->file, "%s", iris_status_text(status));
+    found->has_value = 1;
+    if (by->value >= 0) {
+        found->value = (uint8_t)by->value;
+        return stage_exit(stage, iris_threshold(mask, gray, found->value, by->select));
     }
-    return status == IRIS_OK ? EXIT_DONE : EXIT_BAD_DATA;
+    return stage_exit(stage, iris_threshold_otsu(&found->value, mask, gray, by->select, scratch));
+}
+
+static void report(json_writer *json, const operation_stage *stage)
+{
+    const finding *found = stage->finding;
+    json_key(json, "threshold");
+    found->has_value ? json_integer(json, found->value) : json_null(json);
 }
 
 /* Reads --value and --adaptive. Returns 0 after complaining. */
@@ -77,27 +82,29 @@ static int read_numbers(thresholding *by, const char *value, const char *adaptiv
     return 1;
 }
 
-int cmd_threshold(int argc, char **argv)
+static int parse(void *settings, operation_words *words)
 {
+    thresholding *by = settings;
     int otsu = 0, invert = 0;
     const char *value = NULL, *adaptive = NULL;
-    thresholding by = {-1, -1, 0, IRIS_SELECT_BRIGHT};
-    picture_job job = {.command = argv[0], .work = work, .options = &by, .has_threshold = 1};
-    const args_option options[] = {{"value", 0, NULL, &value},         {"otsu", 0, &otsu, NULL},
-                                   {"adaptive", 0, NULL, &adaptive},   {"invert", 0, &invert, NULL},
-                                   {"output", 'o', NULL, &job.output}, {"json", 0, &job.json, NULL}};
-    arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
-    int exit_code = args_parse(&args, argc, argv);
-    if (exit_code != ARGS_GO) {
-        return exit_code;
+    const args_option options[] = {{"value", 0, NULL, &value},
+                                   {"otsu", 0, &otsu, NULL},
+                                   {"adaptive", 0, NULL, &adaptive},
+                                   {"invert", 0, &invert, NULL}};
+    if (!operation_options(words, options, sizeof options / sizeof options[0])) {
+        return 0;
     }
     if ((value != NULL) + otsu + (adaptive != NULL) != 1) {
         complain(NULL, "one of --value, --otsu, and --adaptive (see --help)");
-        return EXIT_BAD_CALL;
+        return 0;
     }
-    if (!read_numbers(&by, value, adaptive)) {
-        return EXIT_BAD_CALL;
-    }
-    by.select = invert ? IRIS_SELECT_DARK : IRIS_SELECT_BRIGHT;
-    return picture_job_run(&job, &args);
+    *by = (thresholding){-1, -1, 0, invert ? IRIS_SELECT_DARK : IRIS_SELECT_BRIGHT};
+    return read_numbers(by, value, adaptive);
 }
+
+const operation operation_threshold = {.name = "threshold",
+                                       .summary = "gray pictures to masks",
+                                       .help = help,
+                                       .parse = parse,
+                                       .apply = apply,
+                                       .report = report};

@@ -1,11 +1,23 @@
-/* The commands. argv[0] is the command's name; each returns an exit code and has complained unless it is EXIT_DONE. */
+/* The commands of main.c: programs of their own, and picture operations (operation.h), by name. */
 #ifndef IRIS_TOOL_COMMANDS_H
 #define IRIS_TOOL_COMMANDS_H
 
+#include "operation.h"
+
+/* argv[0] is the command's name; each returns an exit code and has complained unless it is EXIT_DONE. */
 int cmd_info(int argc, char **argv);
-int cmd_convert(int argc, char **argv);
-int cmd_gray(int argc, char **argv);
-int cmd_threshold(int argc, char **argv);
 int cmd_follow(int argc, char **argv);
+int cmd_pipe(int argc, char **argv);
+
+/* One line each, and its place in operations.c. */
+extern const operation operation_convert;
+extern const operation operation_gray;
+extern const operation operation_threshold;
+
+/* All of them, in the order of iris --help; ends with null. */
+extern const operation *const operations[];
+
+/* Null when there is none of that name. */
+const operation *operation_find(const char *name);
 
 #endif

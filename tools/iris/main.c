@@ -6,10 +6,11 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "chain.h"
 #include "commands.h"
-#include "complain.h"
 #include "iris/version.h"
 
+/* What is not an operation on pictures. */
 typedef struct {
     const char *name;
     int (*run)(int argc, char **argv);
@@ -18,22 +19,27 @@ typedef struct {
 
 static const command commands[] = {
     {"info", cmd_info, "format, size, bits, and kind of pictures"},
-    {"convert", cmd_convert, "another format, size, or part of pictures"},
-    {"gray", cmd_gray, "color pictures to gray"},
-    {"threshold", cmd_threshold, "gray pictures to masks"},
+    {"pipe", cmd_pipe, "several operations, one after the other"},
     {"follow", cmd_follow, "the line on the floor, and how to steer"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 
-static const command *find(const char *name)
+/* Runs the command argv[0]. 0 when there is none of that name. */
+static int run_named(int *exit_code, int argc, char **argv)
 {
+    const operation *found = operation_find(argv[0]);
+    if (found) {
+        *exit_code = chain_command(found, argc, argv);
+        return 1;
+    }
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
-        if (strcmp(commands[i].name, name) == 0) {
-            return &commands[i];
+        if (strcmp(commands[i].name, argv[0]) == 0) {
+            *exit_code = commands[i].run(argc, argv);
+            return 1;
         }
     }
-    return NULL;
+    return 0;
 }
 
 static void print_help(FILE *out)
@@ -47,32 +53,36 @@ static void print_help(FILE *out)
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         fprintf(out, "  %-12s%s\n", commands[i].name, commands[i].summary);
     }
+    fputs("\nOperations, each a command, and a stage of iris pipe:\n\n", out);
+    for (size_t i = 0; operations[i]; i++) {
+        fprintf(out, "  %-12s%s\n", operations[i]->name, operations[i]->summary);
+    }
     fputs("\nexample: iris threshold --otsu floor.bmp -o mask.bmp\n"
           "Exit code: 0 done, 1 the data or a device is bad, 2 the call is wrong.\n",
           out);
 }
 
 /* iris help [command] */
-static int help(const char *name)
+static int help(char *topic)
 {
     char option[] = "--help";
-    const char *topic = name;
+    int exit_code = EXIT_DONE;
     if (!topic) {
         print_help(stdout);
         return EXIT_DONE;
     }
-    const command *about = find(topic);
-    if (!about) {
+    char *words[] = {topic, option, NULL};
+    if (!run_named(&exit_code, 2, words)) {
         complain(topic, "no such command (see iris --help)");
         return EXIT_BAD_CALL;
     }
-    char *words[] = {option, option, NULL};
-    return about->run(2, words);
+    return exit_code;
 }
 
 static int run(int argc, char **argv)
 {
     const char *name = argc > 1 ? argv[1] : NULL;
+    int exit_code = EXIT_BAD_CALL;
     if (!name) {
         print_help(stderr);
         return EXIT_BAD_CALL;
@@ -84,13 +94,12 @@ static int run(int argc, char **argv)
         puts("iris " IRIS_VERSION_TEXT);
         return EXIT_DONE;
     }
-    const command *found = find(name);
-    if (!found) {
-        complain(name, "no such command (see iris --help)");
-        return EXIT_BAD_CALL;
-    }
     complain_as(name);
-    return found->run(argc - 1, argv + 1);
+    if (!run_named(&exit_code, argc - 1, argv + 1)) {
+        complain_as(NULL);
+        complain(name, "no such command (see iris --help)");
+    }
+    return exit_code;
 }
 
 /* A stream that the caller closed is held by something that fails: else the next file opened would get its number, and

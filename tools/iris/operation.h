@@ -1,5 +1,5 @@
 /* A picture operation: what one command does to a picture, and what one stage of `iris pipe` does. A new one is a file
- * cmd_<name>.c that defines `const operation operation_<name>`, its line in commands.h, and its line in main.c.
+ * cmd_<name>.c that defines `const operation operation_<name>`, its line in commands.h, and its line in operations.c.
  *
  * Inputs come as IRIS_GRAY8, IRIS_RGB888, or IRIS_MASK1 (1-bit files, and masks made by the stage before), results are
  * one of these. --roi, --border, -o, and --json are read and done here.
@@ -31,10 +31,10 @@
     "                    (pixels that would need it are not evaluated)\n" OPERATION_OPTIONS
 
 #define OPERATION_SETTINGS_BYTES 8192
-#define STAGE_PICTURES           6
+#define STAGE_PICTURES           8
 
 /* What an operation works with. */
-typedef struct stage {
+typedef struct operation_stage {
     const void *settings; /* what parse has filled in */
     iris_border border;   /* of --border */
     const char *file;     /* the input worked on, for complaints */
@@ -55,7 +55,7 @@ typedef struct stage {
     void *scratch_memory, *room_memory;
     size_t scratch_bytes, room_bytes;
     iris_scratch scratch;
-} stage;
+} operation_stage;
 
 /* The words of a call, while they are read. */
 typedef struct operation_words {
@@ -65,7 +65,7 @@ typedef struct operation_words {
     const char *output;  /* -o */
     int json;            /* --json */
     arguments arguments; /* operands */
-    stage *stage;
+    operation_stage *stage;
     int exit_code; /* ARGS_GO, or why it ends here */
 } operation_words;
 
@@ -80,10 +80,10 @@ typedef struct operation {
 
     /* Makes *result from *input, which is not to be changed: a view of input or of the stage's pictures. Returns an exit
      * code, after complaining. */
-    int (*apply)(iris_image *result, const iris_image *input, stage *stage);
+    int (*apply)(iris_image *result, const iris_image *input, operation_stage *stage);
 
     /* Adds members to the JSON object that has file, output, width, height, and kind; null: none. */
-    void (*report)(json_writer *json, const stage *stage);
+    void (*report)(json_writer *json, const operation_stage *stage);
 
     int has_border;    /* 1: takes --border */
     int reshapes;      /* 1: the result may have another size, so that there is no --roi */
@@ -93,30 +93,37 @@ typedef struct operation {
 /* Reads the words by these options and the shared ones. 1 to go on, 0 when the call ends here. */
 int operation_options(operation_words *words, const args_option *options, size_t count);
 
-/* A command's whole run; returns its exit code. */
-int operation_run(const operation *operation, int argc, char **argv);
+/* The whole of parse: stage->operation reads the words. ARGS_GO, or the exit code of a call that ends here. */
+int operation_parse(operation_words *words);
+
+/* One picture: the operation, or only its part given by --roi. Returns an exit code. */
+int stage_apply(iris_image *result, const iris_image *input, operation_stage *stage);
+
+void stage_free(operation_stage *stage);
+
+/* --- for apply --- */
 
 /* The input as IRIS_GRAY8 (color by its luma, masks as 0 and 255), as IRIS_RGB888, as IRIS_MASK1 (gray above 127), or as
  * what it is, but masks as gray: the input itself, or one of the stage's pictures. Null after complaining. */
-const iris_image *stage_gray(stage *stage, const iris_image *input);
-const iris_image *stage_color(stage *stage, const iris_image *input);
-const iris_image *stage_mask(stage *stage, const iris_image *input);
-const iris_image *stage_levels(stage *stage, const iris_image *input);
+const iris_image *stage_gray(operation_stage *stage, const iris_image *input);
+const iris_image *stage_color(operation_stage *stage, const iris_image *input);
+const iris_image *stage_mask(operation_stage *stage, const iris_image *input);
+const iris_image *stage_levels(operation_stage *stage, const iris_image *input);
 
-/* A picture of the stage's own, without defined pixels, valid until the next input. At most STAGE_PICTURES for one
- * input, those of the conversions above included. Null after complaining. */
-const iris_image *stage_picture(stage *stage, iris_size size, iris_format format);
+/* A picture of the stage's own, without defined pixels, valid until the next input. At most six for one input, those of
+ * the conversions above included. Null after complaining. */
+const iris_image *stage_picture(operation_stage *stage, iris_size size, iris_format format);
 
 /* A picture of the stage's own with the pixels of `image`. Null after complaining. */
-const iris_image *stage_copy(stage *stage, const iris_image *image);
+const iris_image *stage_copy(operation_stage *stage, const iris_image *image);
 
 /* Working memory of `bytes` bytes, all free; one at a time. Null after complaining. */
-iris_scratch *stage_scratch(stage *stage, size_t bytes);
+iris_scratch *stage_scratch(operation_stage *stage, size_t bytes);
 
 /* Zeroed bytes for stage->finding and results of any length; one at a time. Null after complaining. */
-void *stage_room(stage *stage, size_t bytes);
+void *stage_room(operation_stage *stage, size_t bytes);
 
 /* EXIT_DONE for IRIS_OK; else complains about stage->file, and EXIT_BAD_DATA. */
-int stage_exit(const stage *stage, iris_status status);
+int stage_exit(const operation_stage *stage, iris_status status);
 
 #endif

@@ -1,0 +1,21 @@
+/* Every picture operation, in the order of iris --help. */
+#include <string.h>
+
+#include "commands.h"
+
+const operation *const operations[] = {
+    &operation_convert,
+    &operation_gray,
+    &operation_threshold,
+    NULL,
+};
+
+const operation *operation_find(const char *name)
+{
+    for (size_t i = 0; operations[i]; i++) {
+        if (strcmp(operations[i]->name, name) == 0) {
+            return operations[i];
+        }
+    }
+    return NULL;
+}
