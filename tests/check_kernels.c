@@ -8,7 +8,7 @@
 
 #define KERNEL_FAMILY(family) &kernels_##family,
 static const kernel_family *const families[] = {
-#include "kernels/families.h"
+#include "kernels/families.def"
 };
 #undef KERNEL_FAMILY
 enum { FAMILIES = sizeof families / sizeof families[0] };

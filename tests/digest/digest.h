@@ -1,8 +1,8 @@
 /* Digests: every operation of the library on generated pictures, one line each, the same on every processor.
  *
- * One file per module with one table of operations; modules.h lists the tables. An operation takes its pictures from a
+ * One file per module with one table of operations; modules.def lists the tables. An operation takes its pictures from a
  * small arena (a microcontroller with 16 KB runs all of this), works, and adds its outputs to the digest.
- * A new operation: a function and a line in its table (a new module: its line in modules.h); `make golden`; look at the
+ * A new operation: a function and a line in its table (a new module: its line in modules.def); `make golden`; look at the
  * difference; commit both.
  */
 #ifndef IRIS_DIGEST_H
@@ -21,7 +21,7 @@ typedef struct {
 
 /* digest_<module>: each ends with a null name. */
 #define DIGEST_MODULE(module) extern const digest_operation digest_##module[];
-#include "modules.h"
+#include "modules.def"
 #undef DIGEST_MODULE
 
 #define DIGEST_ARENA_BYTES 10240

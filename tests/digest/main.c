@@ -5,7 +5,7 @@
 
 #define DIGEST_MODULE(module) digest_##module,
 static const digest_operation *const tables[] = {
-#include "modules.h"
+#include "modules.def"
 };
 #undef DIGEST_MODULE
 

@@ -1,7 +1,7 @@
 /* Row kernels under test: what tests/check_kernels.c needs to know of each.
  *
  * One file per family: its table of cases, and truths worked out by hand. A new kernel: a case in the table and a truth.
- * A new family: a file that defines kernels_<family>, and its line in families.h.
+ * A new family: a file that defines kernels_<family>, and its line in families.def.
  */
 #ifndef IRIS_TEST_KERNELS_H
 #define IRIS_TEST_KERNELS_H
@@ -97,7 +97,7 @@ static inline int16_t *halves(uint8_t *row)
 }
 
 #define KERNEL_FAMILY(family) extern const kernel_family kernels_##family;
-#include "families.h"
+#include "families.def"
 #undef KERNEL_FAMILY
 
 #endif
