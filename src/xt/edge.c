@@ -1,0 +1,330 @@
+#include "iris/xt/edge.h"
+
+#include <string.h>
+
+#include "../foundation/rows.h"
+#include "edge_rows.h"
+
+void iris_edge_defaults(iris_edge_config *config)
+{
+    if (config) {
+        *config = (iris_edge_config){IRIS_EDGE_SOBEL, IRIS_Q16_ONE / 4, 160};
+    }
+}
+
+/* A call on its way down the picture. */
+typedef struct {
+    iris_edge_config config;
+    iris_rows rows;
+    int16_t *values;    /* four rows */
+    size_t row_step;    /* from one to the next */
+    int32_t first, end; /* the pixels of row rows.y that are evaluated */
+    iris_scratch *scratch;
+    size_t mark;
+} edge_walk;
+
+static iris_status check_config(edge_walk *walk, const iris_edge_config *config, iris_border border)
+{
+    iris_edge_defaults(&walk->config);
+    if (config) {
+        walk->config = *config;
+    }
+    const iris_edge_config *c = &walk->config;
+    return c->op < IRIS_EDGE_SOBEL || c->op > IRIS_EDGE_LAPLACIAN || c->gain_q16 < 0 ||
+                   c->gain_q16 >= IRIS_EDGE_GAIN_END || c->threshold < 0 ||
+                   c->threshold >= IRIS_EDGE_THRESHOLD_END || border.rule < IRIS_BORDER_REPLICATE ||
+                   border.rule > IRIS_BORDER_SKIP
+               ? IRIS_ERR_ARG
+               : IRIS_OK;
+}
+
+static iris_status check_view(const iris_image *dst, iris_format format, const iris_image *src)
+{
+    iris_status status = iris_image_check(dst);
+    if (status == IRIS_OK) {
+        status = iris_image_check(src);
+    }
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (dst->format != format || src->format != IRIS_GRAY8) {
+        return IRIS_ERR_FORMAT;
+    }
+    if (dst->w != src->w || dst->h != src->h) {
+        return IRIS_ERR_RANGE;
+    }
+    int same = format == IRIS_GRAY8 && dst->data == src->data && (dst->h == 1 || dst->stride == src->stride);
+    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+}
+
+/* Takes working memory; ready at row 0. Given back by walk_end. */
+static iris_status walk_begin(edge_walk *walk, const iris_image *src, iris_border border,
+                              iris_scratch *scratch)
+{
+    const size_t row_bytes = IRIS_SCRATCH_ROUND(2u * ((size_t)src->w + 2u));
+    walk->scratch = scratch;
+    walk->mark = iris_scratch_mark(scratch);
+    walk->row_step = row_bytes / 2;
+    walk->values = (int16_t *)iris_scratch_take(scratch, 4 * row_bytes);
+    if (!walk->values) {
+        return IRIS_ERR_SCRATCH;
+    }
+    iris_status status = iris_rows_begin(&walk->rows, src, (iris_rows_window){1, 1, 1, 1}, border, scratch);
+    if (status != IRIS_OK) {
+        iris_scratch_release(scratch, walk->mark);
+    }
+    return status;
+}
+
+static iris_status walk_end(const edge_walk *walk)
+{
+    iris_scratch_release(walk->scratch, walk->mark);
+    return IRIS_OK;
+}
+
+/* One of four rows of values, readable one pixel beyond its ends. */
+static int16_t *values_row(const edge_walk *walk, int32_t index)
+{
+    return walk->values + (size_t)index * walk->row_step + 1;
+}
+
+/* The pixels to be evaluated in row rows.y; 0 when there are none. */
+static int walk_span(edge_walk *walk)
+{
+    const iris_rows *rows = &walk->rows;
+    if (rows->border.rule != IRIS_BORDER_SKIP || walk->config.op != IRIS_EDGE_ROBERTS) {
+        return iris_rows_span(&walk->first, &walk->end, rows);
+    }
+    walk->first = 0;
+    walk->end = rows->src->w - 1;
+    return walk->end > 0 && rows->y < rows->src->h - 1;
+}
+
+/* The differences of row rows.y; 0 when none are to be evaluated. */
+static int walk_row(edge_walk *walk, int16_t *dx, int16_t *dy)
+{
+    if (!walk_span(walk)) {
+        return 0;
+    }
+    const uint8_t *const rows[3] = {iris_rows_at(&walk->rows, -1), iris_rows_at(&walk->rows, 0),
+                                    iris_rows_at(&walk->rows, 1)};
+    iris_edge_row(dx, dy, rows, walk->config.op, walk->first, walk->end);
+    return 1;
+}
+
+/* LAPLACIAN's other value is 0 everywhere. */
+static void walk_clear(const edge_walk *walk)
+{
+    memset(walk->values, 0, 4 * walk->row_step * sizeof *walk->values);
+}
+
+static void put_row(const iris_image *dst, const edge_walk *walk, const int16_t *values)
+{
+    if (dst) {
+        int16_t *row = (int16_t *)iris_image_row(dst, walk->rows.y);
+        memcpy(row + walk->first, values + walk->first, 2u * (size_t)(walk->end - walk->first));
+    }
+}
+
+iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const iris_image *src,
+                               const iris_edge_config *config, iris_border border, iris_scratch *scratch)
+{
+    edge_walk walk;
+    if ((!dx && !dy) || !src || !scratch) {
+        return IRIS_ERR_ARG;
+    }
+    iris_status status = check_config(&walk, config, border);
+    if (status == IRIS_OK && dy && walk.config.op == IRIS_EDGE_LAPLACIAN) {
+        status = IRIS_ERR_ARG;
+    }
+    if (status == IRIS_OK && dx) {
+        status = check_view(dx, IRIS_GRAY_S16, src);
+    }
+    if (status == IRIS_OK && dy) {
+        status = check_view(dy, IRIS_GRAY_S16, src);
+    }
+    if (status == IRIS_OK && dx && dy && iris_image_overlaps(dx, dy)) {
+        status = IRIS_ERR_ALIAS;
+    }
+    if (status == IRIS_OK) {
+        status = walk_begin(&walk, src, border, scratch);
+    }
+    if (status != IRIS_OK) {
+        return status;
+    }
+    int16_t *x_row = values_row(&walk, 0), *y_row = values_row(&walk, 1);
+    for (; walk.rows.y < src->h; iris_rows_next(&walk.rows)) {
+        if (walk_row(&walk, x_row, y_row)) {
+            put_row(dx, &walk, x_row);
+            put_row(dy, &walk, y_row);
+        }
+    }
+    return walk_end(&walk);
+}
+
+/* The checks and the beginning of the calls that have one result. */
+static iris_status walk_to(edge_walk *walk, const iris_image *dst, iris_format format, const iris_image *src,
+                           const iris_edge_config *config, iris_border border)
+{
+    iris_scratch *scratch = walk->scratch;
+    if (!dst || !src || !scratch) {
+        return IRIS_ERR_ARG;
+    }
+    iris_status status = check_config(walk, config, border);
+    if (status == IRIS_OK && format == IRIS_GRAY_U16 && walk->config.op == IRIS_EDGE_LAPLACIAN) {
+        status = IRIS_ERR_ARG;
+    }
+    if (status == IRIS_OK) {
+        status = check_view(dst, format, src);
+    }
+    if (status == IRIS_OK) {
+        status = walk_begin(walk, src, border, scratch);
+    }
+    if (status == IRIS_OK) {
+        walk_clear(walk);
+    }
+    return status;
+}
+
+static int32_t magnitude(int32_t dx, int32_t dy)
+{
+    return (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+}
+
+iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, const iris_edge_config *config,
+                                iris_border border, iris_scratch *scratch)
+{
+    edge_walk walk = {.scratch = scratch};
+    iris_status status = walk_to(&walk, dst, IRIS_GRAY8, src, config, border);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    const uint32_t gain = (uint32_t)walk.config.gain_q16;
+    int16_t *dx = values_row(&walk, 0), *dy = values_row(&walk, 1);
+    for (; walk.rows.y < src->h; iris_rows_next(&walk.rows)) {
+        if (!walk_row(&walk, dx, dy)) {
+            continue;
+        }
+        uint8_t *row = (uint8_t *)iris_image_row(dst, walk.rows.y);
+        for (int32_t x = walk.first; x < walk.end; x++) {
+            uint32_t level = ((uint32_t)magnitude(dx[x], dy[x]) * gain + 32768u) >> 16;
+            row[x] = (uint8_t)(level > 255 ? 255 : level);
+        }
+    }
+    return walk_end(&walk);
+}
+
+iris_status iris_edge_direction(const iris_image *dst, const iris_image *src, const iris_edge_config *config,
+                                iris_border border, iris_scratch *scratch)
+{
+    edge_walk walk = {.scratch = scratch};
+    iris_status status = walk_to(&walk, dst, IRIS_GRAY_U16, src, config, border);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    const int32_t turn = walk.config.op == IRIS_EDGE_ROBERTS ? 8192 : 0;
+    int16_t *dx = values_row(&walk, 0), *dy = values_row(&walk, 1);
+    for (; walk.rows.y < src->h; iris_rows_next(&walk.rows)) {
+        if (!walk_row(&walk, dx, dy)) {
+            continue;
+        }
+        uint16_t *row = (uint16_t *)iris_image_row(dst, walk.rows.y);
+        for (int32_t x = walk.first; x < walk.end; x++) {
+            row[x] = dx[x] == 0 && dy[x] == 0 ? 0 : (uint16_t)(iris_atan2_angle(dy[x], dx[x]) + turn);
+        }
+    }
+    return walk_end(&walk);
+}
+
+static void mask_magnitude(const iris_image *mask, edge_walk *walk)
+{
+    const int32_t threshold = walk->config.threshold;
+    int16_t *dx = values_row(walk, 0), *dy = values_row(walk, 1);
+    for (; walk->rows.y < mask->h; iris_rows_next(&walk->rows)) {
+        if (!walk_row(walk, dx, dy)) {
+            continue;
+        }
+        uint32_t *row = (uint32_t *)iris_image_row(mask, walk->rows.y);
+        for (int32_t word = walk->first / 32; 32 * word < walk->end; word++) {
+            uint32_t part = iris_mask_part(word, walk->first, walk->end), bits = 0;
+            for (int32_t i = 0; i < 32; i++) {
+                int32_t x = 32 * word + i;
+                if (part >> i & 1 && magnitude(dx[x], dy[x]) > threshold) {
+                    bits |= (uint32_t)1 << i;
+                }
+            }
+            row[word] = (row[word] & ~part) | bits;
+        }
+    }
+}
+
+/* Does the value change its sign between a and b, or does it at a pixel of value 0 between them? */
+static int crosses(int32_t a, int32_t b, int32_t threshold)
+{
+    return (a < 0 && b > 0 && b - a > threshold) || (a > 0 && b < 0 && a - b > threshold);
+}
+
+/* Is here the pixel of a crossing from before to after? */
+static int is_crossing(int32_t before, int32_t here, int32_t after, int32_t threshold)
+{
+    if (here == 0) {
+        return crosses(before, after, threshold);
+    }
+    int32_t size = here < 0 ? -here : here;
+    return (crosses(before, here, threshold) && size < (before < 0 ? -before : before)) ||
+           (crosses(here, after, threshold) && size <= (after < 0 ? -after : after));
+}
+
+static void row_crossings(uint32_t *row, const int16_t *const values[3], int32_t threshold, int32_t first,
+                          int32_t end)
+{
+    const int16_t *above = values[0], *here = values[1], *below = values[2];
+    for (int32_t word = first / 32; 32 * word < end; word++) {
+        uint32_t part = iris_mask_part(word, first, end), bits = 0;
+        for (int32_t i = 0; i < 32; i++) {
+            int32_t x = 32 * word + i;
+            if (part >> i & 1 && (is_crossing(here[x - 1], here[x], here[x + 1], threshold) ||
+                                  is_crossing(above[x], here[x], below[x], threshold))) {
+                bits |= (uint32_t)1 << i;
+            }
+        }
+        row[word] = (row[word] & ~part) | bits;
+    }
+}
+
+/* Values of three rows in a ring; the fourth stays 0, for what lies beyond the edge. */
+static void mask_crossings(const iris_image *mask, edge_walk *walk)
+{
+    const int32_t margin = walk->rows.border.rule == IRIS_BORDER_SKIP ? 2 : 0;
+    const int16_t *zeros = values_row(walk, 3);
+    const int16_t *values[3] = {zeros, zeros, zeros};
+    for (int32_t y = 0; y <= mask->h; y++) {
+        int16_t *next = values_row(walk, y % 3);
+        values[0] = values[1];
+        values[1] = values[2];
+        values[2] = y < mask->h && walk_row(walk, next, NULL) ? next : zeros;
+        if (y > margin && y <= mask->h - margin && margin < mask->w - margin) {
+            row_crossings((uint32_t *)iris_image_row(mask, y - 1), values, walk->config.threshold, margin,
+                          mask->w - margin);
+        }
+        if (y < mask->h) {
+            iris_rows_next(&walk->rows);
+        }
+    }
+}
+
+iris_status iris_edge_mask(const iris_image *mask, const iris_image *src, const iris_edge_config *config,
+                           iris_border border, iris_scratch *scratch)
+{
+    edge_walk walk = {.scratch = scratch};
+    iris_status status = walk_to(&walk, mask, IRIS_MASK1, src, config, border);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (walk.config.op == IRIS_EDGE_LAPLACIAN) {
+        mask_crossings(mask, &walk);
+    } else {
+        mask_magnitude(mask, &walk);
+    }
+    return walk_end(&walk);
+}

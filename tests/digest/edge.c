@@ -1,0 +1,76 @@
+#include "digest.h"
+
+#include "iris/xt/edge.h"
+
+#define W 45
+#define H 24
+
+static const iris_border borders[] = {{IRIS_BORDER_REPLICATE, 0},
+                                      {IRIS_BORDER_REFLECT101, 0},
+                                      {IRIS_BORDER_CONSTANT, 99},
+                                      {IRIS_BORDER_SKIP, 0}};
+
+static iris_edge_config config_of(int op)
+{
+    iris_edge_config config;
+    iris_edge_defaults(&config);
+    config.op = (iris_edge_operator)op;
+    return config;
+}
+
+static void gradient(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H);
+    iris_image dx = digest_canvas(IRIS_GRAY_S16, W, H), dy = digest_canvas(IRIS_GRAY_S16, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_EDGE_SCRATCH_BYTES(W));
+    for (int op = IRIS_EDGE_SOBEL; op <= IRIS_EDGE_LAPLACIAN; op++) {
+        iris_edge_config config = config_of(op);
+        digest_number(iris_edge_gradient(&dx, op == IRIS_EDGE_LAPLACIAN ? NULL : &dy, &gray, &config,
+                                         borders[op % 4], &scratch));
+        digest_view(&dx);
+        digest_view(&dy);
+    }
+}
+
+static void magnitude(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_GRAY8, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_EDGE_SCRATCH_BYTES(W));
+    for (int op = IRIS_EDGE_SOBEL; op <= IRIS_EDGE_LAPLACIAN; op++) {
+        iris_edge_config config = config_of(op);
+        config.gain_q16 <<= op;
+        digest_number(iris_edge_magnitude(&dst, &gray, &config, borders[op % 4], &scratch));
+        digest_view(&dst);
+    }
+}
+
+static void direction(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_GRAY_U16, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_EDGE_SCRATCH_BYTES(W));
+    for (int op = IRIS_EDGE_SOBEL; op <= IRIS_EDGE_ROBERTS; op++) {
+        iris_edge_config config = config_of(op);
+        digest_number(iris_edge_direction(&dst, &gray, &config, borders[op % 4], &scratch));
+        digest_view(&dst);
+    }
+}
+
+static void mask(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_EDGE_SCRATCH_BYTES(W));
+    for (int op = IRIS_EDGE_SOBEL; op <= IRIS_EDGE_LAPLACIAN; op++) {
+        iris_edge_config config = config_of(op);
+        config.threshold = 50;
+        digest_number(iris_edge_mask(&dst, &gray, &config, borders[op % 4], &scratch));
+        digest_view(&dst);
+    }
+}
+
+const digest_operation digest_edge[] = {
+    {"edge.gradient", gradient},
+    {"edge.magnitude", magnitude},
+    {"edge.direction", direction},
+    {"edge.mask", mask},
+    {NULL, NULL},
+};
