@@ -147,6 +147,39 @@ static void gray_of_packed_formats_is_gray_of_their_rgb(void **state)
     }
 }
 
+/* Whatever alpha is, at every length around the pieces, and to BGR too. */
+static void rgba_is_rgb_without_alpha(void **state)
+{
+    (void)state;
+    uint8_t rgba[4 * 200], rgb[3 * 200], bgr[3 * 200], made[3 * 200 + 1], expected[200];
+    for (int i = 0; i < 200; i++) {
+        for (int c = 0; c < 3; c++) {
+            rgba[4 * i + c] = rgb[3 * i + c] = bgr[3 * i + 2 - c] = (uint8_t)(i * 151 + c * 77 + i / 7 * 13);
+        }
+        rgba[4 * i + 3] = (uint8_t)(i * 91);
+    }
+    for (int n = 1; n <= 200; n++) {
+        made[3 * n] = 0x5A;
+        assert_int_equal(iris_color_row(made, IRIS_RGB888, rgba, IRIS_RGBA8888, n), IRIS_OK);
+        assert_memory_equal(made, rgb, 3 * (size_t)n);
+        assert_int_equal(iris_color_row(made, IRIS_BGR888, rgba, IRIS_RGBA8888, n), IRIS_OK);
+        assert_memory_equal(made, bgr, 3 * (size_t)n);
+        assert_int_equal(made[3 * n], 0x5A);
+        for (int method = IRIS_GRAY_LUMA; method <= IRIS_GRAY_GREEN; method++) {
+            iris_gray_method by = (iris_gray_method)method;
+            made[n] = 0x5A;
+            assert_int_equal(iris_color_gray_row(expected, rgb, IRIS_RGB888, by, n), IRIS_OK);
+            assert_int_equal(iris_color_gray_row(made, rgba, IRIS_RGBA8888, by, n), IRIS_OK);
+            assert_memory_equal(made, expected, (size_t)n);
+            assert_int_equal(made[n], 0x5A);
+        }
+    }
+    const uint8_t pixels[] = {1, 2, 3, 0, 250, 251, 252, 255};
+    const uint8_t colors[] = {1, 2, 3, 250, 251, 252};
+    assert_int_equal(iris_color_rgb_row(made, pixels, IRIS_RGBA8888, 2), IRIS_OK);
+    assert_memory_equal(made, colors, 6);
+}
+
 static void gray_and_mask_spread(void **state)
 {
     (void)state;
@@ -247,8 +280,8 @@ static void bad_calls_are_refused_and_touch_nothing(void **state)
     /* every pair outside the table, unknown formats too */
     for (int d = 0; d <= 25; d++) {
         for (int s = 0; s <= 25; s++) {
-            int camera = s == IRIS_GRAY8 || s == IRIS_RGB888 || s == IRIS_BGR888 || s == IRIS_RGB565 ||
-                         s == IRIS_RGB565_SWAP || s == IRIS_YUYV || s == IRIS_UYVY;
+            int camera = s == IRIS_GRAY8 || s == IRIS_RGB888 || s == IRIS_BGR888 || s == IRIS_RGBA8888 ||
+                         s == IRIS_RGB565 || s == IRIS_RGB565_SWAP || s == IRIS_YUYV || s == IRIS_UYVY;
             assert_int_equal(iris_color_takes((iris_format)s), camera);
             int pair =
                 (d == IRIS_GRAY8 && (camera || s == IRIS_MASK1)) ||
@@ -268,6 +301,7 @@ int main(void)
         cmocka_unit_test(yuv_is_bt601_limited),
         cmocka_unit_test(gray_by_every_method),
         cmocka_unit_test(gray_of_packed_formats_is_gray_of_their_rgb),
+        cmocka_unit_test(rgba_is_rgb_without_alpha),
         cmocka_unit_test(gray_and_mask_spread),
         cmocka_unit_test(views_of_any_stride),
         cmocka_unit_test(in_place_where_pixels_have_the_same_size),

@@ -5,6 +5,7 @@
  *
  * What the numbers mean:
  *   RGB565  5 and 6 bits are widened to 8 by repeating their high bits: 0 stays 0 and the largest is 255.
+ *   RGBA    alpha is ignored: the color is as it was stored.
  *   YUV     BT.601 in the limited range, as webcams send it: Y 16 black to 235 white, U and V 128 neutral.
  *           RGB is widened to 0..255, within 1 of the exact value; GRAY8 by luma is Y as it came, which is
  *           what thresholds want.
@@ -50,12 +51,13 @@ iris_color iris_color_from_hsl(iris_hsl hsl);
 
 /* Converts a whole view. Sizes must be the same.
  *   to                from
- *   GRAY8             GRAY8, RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, UYVY (by luma), MASK1 (0 and 255)
+ *   GRAY8             GRAY8, RGB888, BGR888, RGBA8888, RGB565, RGB565_SWAP, YUYV, UYVY (by luma), MASK1 (0 and 255)
  *   RGB888, BGR888    the same without MASK1 (gray: all three channels), HSL24, HSL48
  *   HSL24, HSL48      RGB888, BGR888
- * dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are disjoint.
- * IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats; IRIS_ERR_RANGE: sizes differ;
- * IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that is not gray. */
+ * NV12, which is two views, is converted by nv12.h, and the BAYER8 formats, where a pixel needs its neighbors, by
+ * bayer.h. dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are
+ * disjoint. IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats; IRIS_ERR_RANGE:
+ * sizes differ; IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that is not gray. */
 iris_status iris_color_convert(const iris_image *dst, const iris_image *src);
 
 /* Converts one row of n pixels, as iris_color_convert. Rows of HSL48 are aligned to 2 bytes, rows of MASK1 to 4.
@@ -64,12 +66,12 @@ iris_status iris_color_convert(const iris_image *dst, const iris_image *src);
 iris_status iris_color_row(void *dst, iris_format dst_format, const void *src, iris_format src_format,
                            int32_t n);
 
-/* 1 for the formats that come from cameras and files: GRAY8, RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, and UYVY; these
- * are what the functions below take. Else 0. O(1). */
+/* 1 for the formats that come from cameras and files: GRAY8, RGB888, BGR888, RGBA8888, RGB565, RGB565_SWAP, YUYV, and
+ * UYVY; these are what the functions below take. Else 0. O(1). */
 int iris_color_takes(iris_format format);
 
-/* Gray by the given method, from GRAY8 (copied), RGB888, BGR888, RGB565, RGB565_SWAP, YUYV, UYVY: a whole view, and one
- * row. Errors, aliasing, and cost as above; also IRIS_ERR_ARG for an unknown method. */
+/* Gray by the given method, from what iris_color_takes (GRAY8 is copied): a whole view, and one row. Errors,
+ * aliasing, and cost as above; also IRIS_ERR_ARG for an unknown method. */
 iris_status iris_color_gray(const iris_image *dst, const iris_image *src, iris_gray_method method);
 iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_format,
                                 iris_gray_method method, int32_t n);
@@ -78,8 +80,8 @@ iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_f
  * iris_color_gray_row instead of iris_color_row carries no HSL conversion. */
 iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_format, int32_t n);
 
-/* A range of colors. All bounds belong to it. h0 > h1 goes through red: 350 to 10 is 20 degrees wide; 0 and 360 are the
- * same hue, and 0 to 360 is every hue. Grays have hue 0: a lower bound on saturation excludes them. */
+/* A range of colors. All bounds belong to it. h0 > h1 goes through red: 350 to 10 is 20 degrees wide; 0 and 360 are
+ * the same hue, and 0 to 360 is every hue. Grays have hue 0: a lower bound on saturation excludes them. */
 typedef struct {
     int32_t h0, h1; /* degrees, 0..360 */
     int32_t s0, s1; /* percent, 0..100, s0 <= s1 */

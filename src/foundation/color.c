@@ -4,6 +4,7 @@
 
 #include "hsl.h"
 #include "kernel.h"
+#include "yuv.h"
 
 /* Pixels that go through RGB on the stack at a time; even, for YUV in pairs. */
 #define PIECE 64
@@ -36,22 +37,22 @@ static void rgb_from_565(uint8_t *dst, const uint8_t *src, int32_t n, int high)
     }
 }
 
-static uint8_t clamp_u8(int32_t value)
+static void rgb_from_rgba(uint8_t *dst, const uint8_t *src, int32_t n)
 {
-    return (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
+    for (int32_t i = 0; i < n; i++, src += 4, dst += 3) {
+        dst[0] = src[0];
+        dst[1] = src[1];
+        dst[2] = src[2];
+    }
 }
 
-/* BT.601, limited range, in 1/256. y: which of the first two bytes is Y. */
+/* y: which of the first two bytes is Y. */
 static void rgb_from_yuv(uint8_t *dst, const uint8_t *src, int32_t n, int y)
 {
-    for (int32_t i = 0; i < n; i += 2, src += 4) {
-        int32_t u = src[1 - y] - 128, v = src[3 - y] - 128;
-        for (int k = 0; k < 2; k++, dst += 3) {
-            int32_t luma = 298 * (src[y + 2 * k] - 16) + 128;
-            dst[0] = clamp_u8((luma + 409 * v) >> 8);
-            dst[1] = clamp_u8((luma - 100 * u - 208 * v) >> 8);
-            dst[2] = clamp_u8((luma + 516 * u) >> 8);
-        }
+    for (int32_t i = 0; i < n; i += 2, src += 4, dst += 6) {
+        iris_yuv_tint tint = iris_yuv_tint_of(src[1 - y], src[3 - y]);
+        iris_yuv_to_888(dst, src[y], tint, 0);
+        iris_yuv_to_888(dst + 3, src[y + 2], tint, 0);
     }
 }
 
@@ -61,6 +62,7 @@ int iris_color_takes(iris_format format)
     case IRIS_GRAY8:
     case IRIS_RGB888:
     case IRIS_BGR888:
+    case IRIS_RGBA8888:
     case IRIS_RGB565:
     case IRIS_RGB565_SWAP:
     case IRIS_YUYV:
@@ -79,6 +81,9 @@ static void rgb_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_
         break;
     case IRIS_BGR888:
         iris_row_swap_888(dst, src, n);
+        break;
+    case IRIS_RGBA8888:
+        rgb_from_rgba(dst, src, n);
         break;
     case IRIS_RGB565:
         rgb_from_565(dst, src, n, 1);
@@ -140,11 +145,11 @@ static void gray_row(uint8_t *dst, const uint8_t *src, iris_format format, int32
         for (int32_t i = 0; i < n; i++) {
             dst[i] = src[2 * i];
         }
-    } else { /* two bytes per pixel */
+    } else { /* two or four bytes per pixel */
         for (int32_t x = 0; x < n; x += PIECE) {
             uint8_t rgb[3 * PIECE];
             int32_t count = n - x < PIECE ? n - x : PIECE;
-            rgb_row(rgb, src + 2 * x, format, count);
+            rgb_row(rgb, src + iris_format_row_bytes(format, 2) / 2 * (size_t)x, format, count);
             gray_from_888(dst + x, rgb, count, method, 0);
         }
     }

@@ -1,6 +1,8 @@
 #include "digest.h"
 
+#include "iris/bayer.h"
 #include "iris/color.h"
+#include "iris/nv12.h"
 
 static void between(iris_format to, iris_format from)
 {
@@ -28,6 +30,16 @@ static void from_yuyv(void)
 static void from_uyvy(void)
 {
     between(IRIS_BGR888, IRIS_UYVY);
+}
+
+static void from_rgba(void)
+{
+    between(IRIS_RGB888, IRIS_RGBA8888);
+}
+
+static void rgba_gray(void)
+{
+    between(IRIS_GRAY8, IRIS_RGBA8888);
 }
 
 static void from_mask(void)
@@ -90,11 +102,36 @@ static void hsl_range(void)
     }
 }
 
+static void nv12(void)
+{
+    static const iris_format targets[] = {IRIS_RGB888, IRIS_BGR888, IRIS_GRAY8};
+    iris_image luma = digest_picture(IRIS_GRAY8, 31, 19);
+    iris_image chroma = digest_picture(IRIS_UV88, 16, 10);
+    for (int i = 0; i < 3; i++) {
+        iris_image dst = digest_canvas(targets[i], 31, 19);
+        digest_number(iris_nv12_convert(&dst, &luma, &chroma));
+        digest_view(&dst);
+    }
+}
+
+static void bayer(void)
+{
+    static const iris_format targets[] = {IRIS_RGB888, IRIS_BGR888, IRIS_GRAY8, IRIS_RGB888};
+    for (int i = 0; i < 4; i++) {
+        iris_image src = digest_picture((iris_format)(IRIS_BAYER8_RGGB + i), 33, 15);
+        iris_image dst = digest_canvas(targets[i], 33, 15);
+        digest_number(iris_bayer_convert(&dst, &src));
+        digest_view(&dst);
+    }
+}
+
 const digest_operation digest_color[] = {
     {"color.from_rgb565", from_rgb565},
     {"color.from_rgb565_swap", from_rgb565_swap},
     {"color.from_yuyv", from_yuyv},
     {"color.from_uyvy", from_uyvy},
+    {"color.from_rgba", from_rgba},
+    {"color.rgba_gray", rgba_gray},
     {"color.from_mask", from_mask},
     {"color.swapped", swapped},
     {"color.luma_bgr", luma_bgr},
@@ -102,5 +139,7 @@ const digest_operation digest_color[] = {
     {"color.hsl48", hsl48},
     {"color.gray_methods", gray_methods},
     {"color.hsl_range", hsl_range},
+    {"nv12.convert", nv12},
+    {"bayer.convert", bayer},
     {NULL, NULL},
 };

@@ -7,17 +7,15 @@ BENCH    = $(addprefix $(OUT)/tools/bench/,$(addsuffix .o,$(1)))
 $(COUNTER): tools/bench/icnt.c
 	@mkdir -p $(@D)
 	gcc $(USERWARN) -O2 -shared -fPIC -o $@ $<
-$(OUT)/bench-count: $(call BENCH,cases count stdout) $(LIB)
+BENCH_CASES := $(patsubst tools/bench/%.c,%,$(wildcard tools/bench/*_cases.c)) frame
+$(OUT)/bench-count: $(call BENCH,$(BENCH_CASES) count stdout) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
-$(OUT)/bench-time: $(call BENCH,cases time) $(LIB)
-	$(SAY)
-	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
-$(OUT)/bench-kernels: $(call BENCH,kernels time) $(LIB)
+$(OUT)/bench-time: $(call BENCH,$(BENCH_CASES) time) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench.elf: STACK := 16384
-$(OUT)/bench.elf: $(call BENCH,cases count) $(START) $(LIB)
+$(OUT)/bench.elf: $(call BENCH,$(BENCH_CASES) count) $(START) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.o %.a,$^)
 
@@ -30,26 +28,24 @@ count-user: $(OUT)/bench-count
 	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
 time-host: $(OUT)/bench-time
 	@$< > $(RESULTS)/$(RESULT)
-time-kernels: $(OUT)/bench-kernels
-	@$< > $(RESULTS)/$(RESULT)
 
-# ARMv6-M code of the M0 is counted on a board with an M3, which runs it too and has room for a frame.
-bench: $(COUNTER) ## instructions per pixel on M4, M0, and AArch64 (exact), nanoseconds per pixel on this machine
+# ARMv6-M code of the M0 is counted on a board with an M3, which runs it too and has room for a frame. What is not
+# installed has no column.
+X86       := $(if $(findstring x86_64,$(TARGET)),$(shell command -v qemu-x86_64))
+X86_COUNT := $(NATIVE) RUNNER="$(X86) -cpu max"
+ON        = $(if $(shell for t in $(1); do command -v $$t > /dev/null || echo $$t; done),true,$(2))
+bench: $(COUNTER) ## instructions per pixel on every port that runs here (exact), and nanoseconds per pixel on this machine
 	@rm -rf $(RESULTS)
 	@mkdir -p $(RESULTS)
-	+@$(M4) OPT=$(OPT) RESULT=1-M4 count-target
-	+@$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=2-M0 count-target
-	+@$(A64) RESULT=3-AArch64 count-user
-	+@$(NATIVE) RESULT=4-host-ns time-host
-	@echo 'Frames of 160x120, compiled with $(OPT).'
-	@tools/bench/table $(RESULTS)/*
-
-bench-kernels: ## nanoseconds per pixel on this machine, plain C beside this PORT
-	@rm -rf $(RESULTS)
-	@mkdir -p $(RESULTS)
-	+@$(NATIVE) PORT=generic RESULT=1-generic time-kernels
-	+@$(NATIVE) RESULT=2-$(PORT) time-kernels
-	@echo 'Frames of 640x480, compiled with $(OPT).'
+	+@$(call ON,arm-none-eabi-gcc qemu-system-arm,$(M4) OPT=$(OPT) RESULT=1-M4 count-target)
+	+@$(call ON,arm-none-eabi-gcc qemu-system-arm,$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=2-M0 count-target)
+	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) PORT=generic RESULT=3-A64 count-user)
+	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) RESULT=4-A64-neon count-user)
+	+@$(if $(X86),$(X86_COUNT) PORT=generic RESULT=5-x86 count-user)
+	+@$(if $(X86),$(X86_COUNT) PORT=$(PORT) RESULT=6-x86-$(PORT) count-user)
+	+@$(NATIVE) PORT=generic RESULT=7-ns time-host
+	+@$(if $(filter generic,$(PORT)),true,$(NATIVE) PORT=$(PORT) RESULT=8-ns-$(PORT) time-host)
+	@echo 'Compiled with $(OPT). Instructions: frames of 160x120; ns: nanoseconds on this machine, frames of 640x480.'
 	@tools/bench/table $(RESULTS)/*
 
 size: ## bytes of flash and RAM on a Cortex-M0 at -Os: every file of the library, and the firmware follower
@@ -59,4 +55,4 @@ weigh: $(LIB) $(OUT)/firmware.elf
 	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
 	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
 	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
-.PHONY: size weigh bench bench-kernels count-target count-user time-host time-kernels
+.PHONY: size weigh bench count-target count-user time-host

@@ -1,11 +1,17 @@
-/* Times every case on this machine and prints `nanoseconds-per-pixel name`: the best of many short rounds. */
+/* Times every case on this machine and prints `nanoseconds-per-pixel name`: the best of many short rounds.
+ *     bench-time [PART]      only the cases with this in their name */
 #include "bench.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <time.h>
 
+#define W          640
+#define H          480
 #define ROUNDS     15
-#define ROUND_NSEC 4e6
+#define ROUND_NSEC 3e6
+
+static IRIS_SCRATCH_BUFFER(memory, 24u << 20);
 
 static double now_ns(void)
 {
@@ -23,20 +29,32 @@ static double round_of(const bench_case *c, int runs)
     return now_ns() - start;
 }
 
-int main(void)
+static double best_of(const bench_case *c)
 {
-    for (const bench_case *c = bench_cases; c->name; c++) {
+    bench_frame_begin((iris_size){W, H}, memory.memory, sizeof memory.memory);
+    if (c->prepare) {
         c->prepare();
-        int runs = 1;
-        while (round_of(c, runs) < ROUND_NSEC) {
-            runs *= 2;
+    }
+    int runs = 1;
+    while (round_of(c, runs) < ROUND_NSEC) {
+        runs *= 2;
+    }
+    double best = round_of(c, runs);
+    for (int i = 1; i < ROUNDS; i++) {
+        double took = round_of(c, runs);
+        best = took < best ? took : best;
+    }
+    return best / runs;
+}
+
+int main(int argc, char **argv)
+{
+    for (const bench_case *const *module = bench_modules; *module; module++) {
+        for (const bench_case *c = *module; c->name; c++) {
+            if (argc < 2 || strstr(c->name, argv[1])) {
+                printf("%.3f %s\n", best_of(c) / (W * H), c->name);
+            }
         }
-        double best = round_of(c, runs);
-        for (int i = 1; i < ROUNDS; i++) {
-            double took = round_of(c, runs);
-            best = took < best ? took : best;
-        }
-        printf("%.3f %s\n", best / runs / c->pixels, c->name);
     }
     return 0;
 }

@@ -1,0 +1,116 @@
+#include "blur_rows.h"
+
+#include "gauss.h"
+#include "iris/xt/blur.h"
+
+#define TILE 64 /* samples that are summed at a time */
+
+/* How exact the weights are: as many bits as keep the center below 2^15 and the sums within int32_t. */
+static int bits_of(int32_t radius)
+{
+    return radius <= 1 ? 14 : radius <= 5 ? 15 : 17;
+}
+
+/* The weights of the distances 0 to radius. Their sum, each side counted, is 2^bits: the center takes what
+ * rounding leaves. */
+static void set_weights(int16_t *weights, int32_t radius, int bits, iris_q16 sigma_q16)
+{
+    uint64_t sum = iris_gauss_q31(0, sigma_q16);
+    for (int32_t k = 1; k <= radius; k++) {
+        sum += 2 * (uint64_t)iris_gauss_q31(k * k, sigma_q16);
+    }
+    int32_t center = 1 << bits;
+    for (int32_t k = 1; k <= radius; k++) {
+        uint64_t scaled = (uint64_t)iris_gauss_q31(k * k, sigma_q16) << bits;
+        weights[k] = (int16_t)((scaled + sum / 2) / sum);
+        center -= 2 * weights[k];
+    }
+    weights[0] = (int16_t)center;
+}
+
+iris_status iris_blur_rows_begin(iris_blur_rows *blur, const iris_image *src, iris_q16 sigma_q16,
+                                 iris_border border, iris_scratch *scratch)
+{
+    int32_t radius = IRIS_BLUR_RADIUS(sigma_q16);
+    iris_rows_window window = {radius, radius, radius, radius};
+    iris_status status = iris_rows_begin(&blur->rows, src, window, border, scratch);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    int32_t beyond = radius * blur->rows.channels;
+    size_t samples = (size_t)src->w * (size_t)blur->rows.channels + 2 * (size_t)beyond;
+    int16_t *middle = (int16_t *)iris_scratch_take(scratch, sizeof(int16_t) * samples);
+    blur->weights = (int16_t *)iris_scratch_take(scratch, sizeof(int16_t) * ((size_t)radius + 1));
+    if (!middle || !blur->weights) {
+        return IRIS_ERR_SCRATCH;
+    }
+    blur->middle = middle + beyond;
+    blur->radius = radius;
+    blur->bits = bits_of(radius);
+    set_weights(blur->weights, radius, blur->bits, sigma_q16);
+    return IRIS_OK;
+}
+
+/* Samples from `from` on, n of them, of the row that is the sum from top to bottom. At most 255 * 2^bits before and 255 * 64
+ * after the shift. */
+static void sum_down(const iris_blur_rows *blur, int32_t from, int32_t n)
+{
+    int32_t sums[TILE];
+    const uint8_t *center = iris_rows_at(&blur->rows, 0) + from;
+    for (int32_t i = 0; i < n; i++) {
+        sums[i] = (1 << (blur->bits - 7)) + blur->weights[0] * center[i];
+    }
+    for (int32_t k = 1; k <= blur->radius; k++) {
+        const uint8_t *above = iris_rows_at(&blur->rows, -k) + from;
+        const uint8_t *below = iris_rows_at(&blur->rows, k) + from;
+        int32_t weight = blur->weights[k];
+        for (int32_t i = 0; i < n; i++) {
+            sums[i] += weight * (above[i] + below[i]);
+        }
+    }
+    for (int32_t i = 0; i < n; i++) {
+        blur->middle[from + i] = (int16_t)(sums[i] >> (blur->bits - 6));
+    }
+}
+
+/* The same from left to right, into bytes. At most 255 * 2^23 + 2^22 < 2^31 before the shift. */
+static void sum_across(uint8_t *dst, const iris_blur_rows *blur, int32_t from, int32_t n)
+{
+    int32_t sums[TILE];
+    const int16_t *center = blur->middle + from;
+    for (int32_t i = 0; i < n; i++) {
+        sums[i] = (1 << (blur->bits + 5)) + blur->weights[0] * center[i];
+    }
+    for (int32_t k = 1; k <= blur->radius; k++) {
+        const int16_t *left = center - k * blur->rows.channels;
+        const int16_t *right = center + k * blur->rows.channels;
+        int32_t weight = blur->weights[k];
+        for (int32_t i = 0; i < n; i++) {
+            sums[i] += weight * (left[i] + right[i]);
+        }
+    }
+    for (int32_t i = 0; i < n; i++) {
+        dst[from + i] = (uint8_t)(sums[i] >> (blur->bits + 6));
+    }
+}
+
+static int32_t tile(int32_t from, int32_t end)
+{
+    return end - from < TILE ? end - from : TILE;
+}
+
+void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst)
+{
+    int32_t first, end, channels = blur->rows.channels, beyond = blur->radius * channels;
+    if (iris_rows_span(&first, &end, &blur->rows)) {
+        first *= channels;
+        end *= channels;
+        for (int32_t i = first - beyond; i < end + beyond; i += TILE) {
+            sum_down(blur, i, tile(i, end + beyond));
+        }
+        for (int32_t i = first; i < end; i += TILE) {
+            sum_across(dst, blur, i, tile(i, end));
+        }
+    }
+    iris_rows_next(&blur->rows);
+}

@@ -1,0 +1,78 @@
+#include <string.h>
+
+#include "bench.h"
+#include "iris/color.h"
+
+static iris_image yuyv, bgr, hsl;
+
+static void prepare_yuyv(void)
+{
+    yuyv = bench_canvas(IRIS_YUYV);
+    memcpy(yuyv.data, bench_frame.rgb.data, iris_format_row_bytes(IRIS_YUYV, yuyv.w) * (size_t)yuyv.h);
+}
+
+static void prepare_bgr(void)
+{
+    bgr = bench_frame.rgb;
+    bgr.format = IRIS_BGR888;
+}
+
+static void prepare_hsl(void)
+{
+    hsl = bench_canvas(IRIS_HSL24);
+    (void)iris_color_convert(&hsl, &bench_frame.rgb);
+}
+
+static void luma_of_rgb(void)
+{
+    (void)iris_color_gray(&bench_frame.gray_to, &bench_frame.rgb, IRIS_GRAY_LUMA);
+}
+
+static void luma_of_bgr(void)
+{
+    (void)iris_color_gray(&bench_frame.gray_to, &bgr, IRIS_GRAY_LUMA);
+}
+
+static void rgb_of_bgr(void)
+{
+    (void)iris_color_convert(&bench_frame.rgb_to, &bgr);
+}
+
+static void rgb_of_bgr_in_place(void)
+{
+    (void)iris_color_convert(&bench_frame.rgb, &bgr);
+}
+
+static void gray_of_yuyv(void)
+{
+    (void)iris_color_gray(&bench_frame.gray_to, &yuyv, IRIS_GRAY_LUMA);
+}
+
+static void rgb_of_yuyv(void)
+{
+    (void)iris_color_convert(&bench_frame.rgb_to, &yuyv);
+}
+
+static void hsl_of_rgb(void)
+{
+    (void)iris_color_convert(&hsl, &bench_frame.rgb);
+}
+
+static void rgb_of_hsl(void)
+{
+    (void)iris_color_convert(&bench_frame.rgb_to, &hsl);
+}
+
+static void hsl_range(void)
+{
+    const iris_hsl_range range = {30, 80, 30, 100, 20, 90};
+    (void)iris_hsl_range_mask(&bench_frame.mask_to, &bench_frame.rgb, &range);
+}
+
+const bench_case bench_color[] = {
+    {"RGB to gray by luma", luma_of_rgb, NULL},    {"BGR to gray by luma", luma_of_bgr, prepare_bgr},
+    {"BGR to RGB", rgb_of_bgr, prepare_bgr},       {"BGR to RGB in place", rgb_of_bgr_in_place, prepare_bgr},
+    {"YUYV to gray", gray_of_yuyv, prepare_yuyv},  {"YUYV to RGB", rgb_of_yuyv, prepare_yuyv},
+    {"RGB to HSL24", hsl_of_rgb, prepare_hsl},     {"HSL24 to RGB", rgb_of_hsl, prepare_hsl},
+    {"RGB to mask by HSL range", hsl_range, NULL}, {0},
+};
