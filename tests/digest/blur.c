@@ -25,8 +25,22 @@ static void gaussian_rgb(void)
     gaussian(IRIS_RGB888, 3, 11, 20);
 }
 
+static void box(void)
+{
+    static const int32_t sides[] = {1, 2, 3, 8, 31};
+    iris_image src = digest_picture(IRIS_RGB888, 11, 20);
+    iris_image dst = digest_canvas(IRIS_RGB888, 11, 20);
+    for (int i = 0; i < 5; i++) {
+        iris_border border = {(iris_border_rule)(i % 4), 90};
+        iris_scratch scratch = digest_scratch(IRIS_BLUR_BOX_SCRATCH_BYTES(11, 3, sides[i]));
+        digest_number(iris_blur_box(&dst, &src, sides[i], border, &scratch));
+        digest_view(&dst);
+    }
+}
+
 const digest_operation digest_blur[] = {
     {"blur.gaussian_gray", gaussian_gray},
     {"blur.gaussian_rgb", gaussian_rgb},
+    {"blur.box", box},
     {NULL, NULL},
 };

@@ -266,6 +266,91 @@ static void gaussian_by_hand(void **state)
     assert_int_equal(IRIS_BLUR_RADIUS(IRIS_BLUR_SIGMA_MAX), 133);
 }
 
+/* The mean of a window in whole numbers, half up. */
+static int mean_at(const iris_image *src, int i, int y, int side, iris_border border)
+{
+    int channels = src->format == IRIS_GRAY8 ? 1 : 3, sum = 0;
+    for (int dy = 0; dy < side; dy++) {
+        int row = place(y - (side - 1) / 2 + dy, src->h, border.rule);
+        for (int dx = 0; dx < side; dx++) {
+            int x = place(i / channels - (side - 1) / 2 + dx, src->w, border.rule);
+            sum += x < 0 || row < 0 ? border.value : *at(src, x * channels + i % channels, row);
+        }
+    }
+    return (int)floor((double)sum / (side * side) + 0.5);
+}
+
+static void box_is_the_mean(const iris_image *src, int side, iris_border border, int in_place)
+{
+    int channels = src->format == IRIS_GRAY8 ? 1 : 3, left = (side - 1) / 2, right = side / 2;
+    size_t bytes = IRIS_BLUR_BOX_SCRATCH_BYTES(src->w, channels, side);
+    iris_scratch scratch = arena(bytes);
+    memcpy(result, source, sizeof result);
+    iris_image dst = view(result, src->w, src->h, src->format);
+    assert_int_equal(iris_blur_box(&dst, in_place ? &dst : src, side, border, &scratch), IRIS_OK);
+    assert_int_equal(scratch.peak, bytes);
+    assert_int_equal(scratch.used, 0);
+    memcpy(before, source, sizeof before);
+    iris_image old = view(before, src->w, src->h, src->format);
+    for (int y = 0; y < src->h; y++) {
+        for (int i = 0; i < src->w * channels; i++) {
+            int x = i / channels;
+            if (border.rule != IRIS_BORDER_SKIP ||
+                (x >= left && y >= left && x < src->w - right && y < src->h - right)) {
+                *at(&old, i, y) = (uint8_t)mean_at(src, i, y, side, border);
+            }
+        }
+    }
+    assert_memory_equal(result, before, sizeof result);
+}
+
+static void box_against_sums(void **state)
+{
+    (void)state;
+    static const iris_size sizes[] = {{1, 1}, {1, 9}, {9, 1}, {2, 3}, {17, 12}, {33, 19}};
+    static const int sides[] = {1, 2, 3, 4, 5, 6, 7, 10, 15, 31, 64};
+    uint32_t seed = 3;
+    for (size_t i = 0; i < sizeof source; i++) {
+        source[i] = (uint8_t)next_random(&seed);
+    }
+    for (int s = 0; s < 6; s++) {
+        for (int b = 0; b < 4; b++) {
+            for (int k = 0; k < 11; k++) {
+                iris_image src = view(source, sizes[s].w, sizes[s].h, (k + s) % 3 ? IRIS_GRAY8 : IRIS_RGB888);
+                box_is_the_mean(&src, sides[k], borders[b], (s + k + b) % 2);
+            }
+        }
+    }
+}
+
+/* Around the half between two levels, for every side: columns of the one and of the other in almost equal parts. */
+static void box_divides_exactly(void **state)
+{
+    (void)state;
+    static uint8_t column[4 * SIDE * SIDE];
+    for (int side = 1; side <= IRIS_BLUR_SIDE_MAX; side++) {
+        iris_image src = view(column, side, 3, IRIS_GRAY8), dst = view(result, side, 3, IRIS_GRAY8);
+        for (int level = 0; level < 255; level += 1 + side / 4) {
+            for (int more = -1; more <= 1; more++) {
+                int ones = (side + 1) / 2 + more;
+                for (int y = 0; y < 3; y++) {
+                    memset(at(&src, 0, y), level, (size_t)side);
+                    memset(at(&src, 0, y), level + 1, (size_t)(ones < 0 ? 0 : ones > side ? side : ones));
+                }
+                iris_scratch scratch = arena(sizeof memory);
+                assert_int_equal(iris_blur_box(&dst, &src, side, borders[0], &scratch), IRIS_OK);
+                int x = (side - 1) / 2;
+                ones = ones < 0 ? 0 : ones > side ? side : ones;
+                assert_int_equal(*at(&dst, x, 1), level + (2 * ones >= side));
+            }
+        }
+        memset(column, 255, sizeof column);
+        iris_scratch scratch = arena(sizeof memory);
+        assert_int_equal(iris_blur_box(&dst, &src, side, borders[0], &scratch), IRIS_OK);
+        assert_int_equal(*at(&dst, 0, 0), 255);
+    }
+}
+
 static void wrong_calls_are_refused(void **state)
 {
     (void)state;
@@ -294,6 +379,15 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(iris_blur_gaussian(&bad, &src, 65536, border, &scratch), IRIS_ERR_ALIAS);
     bad.data = NULL;
     assert_int_equal(iris_blur_gaussian(&bad, &src, 65536, border, &scratch), IRIS_ERR_ARG);
+    assert_int_equal(iris_blur_box(NULL, &src, 3, border, &scratch), IRIS_ERR_ARG);
+    assert_int_equal(iris_blur_box(&dst, &src, 3, border, NULL), IRIS_ERR_ARG);
+    assert_int_equal(iris_blur_box(&dst, &src, 0, border, &scratch), IRIS_ERR_RANGE);
+    assert_int_equal(iris_blur_box(&dst, &src, IRIS_BLUR_SIDE_MAX + 1, border, &scratch), IRIS_ERR_RANGE);
+    for (int side = 1; side < 9; side++) {
+        scratch = arena(IRIS_BLUR_BOX_SCRATCH_BYTES(20, 1, side) - 1);
+        assert_int_equal(iris_blur_box(&dst, &src, side, border, &scratch), IRIS_ERR_SCRATCH);
+        assert_int_equal(scratch.used, 0);
+    }
     scratch = arena(IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(20, 1, 65536) - 1);
     assert_int_equal(iris_blur_gaussian(&dst, &src, 65536, border, &scratch), IRIS_ERR_SCRATCH);
     assert_int_equal(scratch.used, 0);
@@ -308,6 +402,7 @@ int main(void)
         cmocka_unit_test(gaussian_by_hand),          cmocka_unit_test(gaussian_of_real_pictures),
         cmocka_unit_test(gaussian_of_odd_sizes),     cmocka_unit_test(gaussian_of_the_worst_pictures),
         cmocka_unit_test(gaussian_keeps_even_areas), cmocka_unit_test(gaussian_in_place),
+        cmocka_unit_test(box_against_sums),          cmocka_unit_test(box_divides_exactly),
         cmocka_unit_test(wrong_calls_are_refused),
     };
     return cmocka_run_group_tests_name("blur", tests, NULL, NULL);

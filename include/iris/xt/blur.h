@@ -42,6 +42,23 @@ extern "C" {
 iris_status iris_blur_gaussian(const iris_image *dst, const iris_image *src, iris_q16 sigma_q16,
                                iris_border border, iris_scratch *scratch);
 
+/* The largest side of iris_blur_box. */
+#define IRIS_BLUR_SIDE_MAX 255
+
+/* Working memory of iris_blur_box: the rows around a row, and the sums of columns. */
+#define IRIS_BLUR_BOX_SCRATCH_BYTES(w, channels, side)                                                       \
+    (IRIS_BORDER_ROWS_BYTES((size_t)(w) * (channels), ((size_t)(side)-1u) / 2u * (channels),                 \
+                            (size_t)(side) / 2u * (channels), ((size_t)(side) + 1u) / 2u) +                  \
+     IRIS_SCRATCH_ROUND(sizeof(uint16_t) * (channels) * ((size_t)(w) + (size_t)(side)-1u)))
+
+/* dst = the mean of side x side pixels of src, exact, rounded half up. side is 1 to IRIS_BLUR_SIDE_MAX pixels, odd or even: the
+ * window begins (side - 1) / 2 pixels, rounded down, to the left of and above each pixel, so that an even side reaches
+ * one farther to the right and down. The same as iris_convolve with iris_kernel_box, at a cost that does not depend on
+ * side.
+ * IRIS_ERR_RANGE: side outside; IRIS_ERR_SCRATCH. O((w + side) * (h + side) * channels). */
+iris_status iris_blur_box(const iris_image *dst, const iris_image *src, int32_t side, iris_border border,
+                          iris_scratch *scratch);
+
 #ifdef __cplusplus
 }
 #endif
