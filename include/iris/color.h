@@ -55,9 +55,10 @@ iris_color iris_color_from_hsl(iris_hsl hsl);
  *   RGB888, BGR888    the same without MASK1 (gray: all three channels), HSL24, HSL48
  *   HSL24, HSL48      RGB888, BGR888
  * NV12, which is two views, is converted by nv12.h, and the BAYER8 formats, where a pixel needs its neighbors, by
- * bayer.h. dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are
- * disjoint. IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats; IRIS_ERR_RANGE:
- * sizes differ; IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that is not gray. */
+ * bayer.h.
+ * dst may be src (the same data and stride) where both formats have the same bytes per pixel; else they are disjoint.
+ * IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT: another pair of formats; IRIS_ERR_RANGE: sizes differ;
+ * IRIS_ERR_ALIAS. O(w h); to HSL: two divisions for every pixel that is not gray. */
 iris_status iris_color_convert(const iris_image *dst, const iris_image *src);
 
 /* Converts one row of n pixels, as iris_color_convert. Rows of HSL48 are aligned to 2 bytes, rows of MASK1 to 4.
@@ -80,8 +81,8 @@ iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_f
  * iris_color_gray_row instead of iris_color_row carries no HSL conversion. */
 iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_format, int32_t n);
 
-/* A range of colors. All bounds belong to it. h0 > h1 goes through red: 350 to 10 is 20 degrees wide; 0 and 360 are
- * the same hue, and 0 to 360 is every hue. Grays have hue 0: a lower bound on saturation excludes them. */
+/* A range of colors. All bounds belong to it. h0 > h1 goes through red: 350 to 10 is 20 degrees wide; 0 and 360 are the
+ * same hue, and 0 to 360 is every hue. Grays have hue 0: a lower bound on saturation excludes them. */
 typedef struct {
     int32_t h0, h1; /* degrees, 0..360 */
     int32_t s0, s1; /* percent, 0..100, s0 <= s1 */

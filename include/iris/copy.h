@@ -48,14 +48,17 @@ iris_status iris_channel_insert(const iris_image *dst, const iris_image *src, in
 
 /* src in the size of dst; IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888, both the same. The pictures' outer edges
  * coincide, so the center of dst pixel i lies at (i + 0.5) * src_w / dst_w - 0.5, exactly and at every size.
- * nearest takes the src pixel whose center is nearest, the right or lower one of two. bilinear weighs the
- * four around it, repeating the outermost pixels, with positions rounded to 1/2048 pixel: its value is within
- * 0.625 of the real one (0.5 of which is the rounding, half up). Neither averages: to less than half the
- * size, blur first.
- * IRIS_ERR_FORMAT: other or different formats; IRIS_ERR_ALIAS: any overlap. O(dst pixels), no division per
- * pixel. */
+ *   nearest   takes the src pixel whose center is nearest, the right or lower one of two
+ *   bilinear  weighs the four around it, repeating the outermost pixels, with positions rounded to 1/2048 pixel: its
+ *             value is within 0.625 of the real one (0.5 of which is the rounding, half up)
+ *   area      the mean of all of src that dst's pixel covers, parts of pixels by their area, exactly, rounded half up
+ * To make a picture smaller take area; the other two average nothing, and below half the size they lose what lies
+ * between. To make it larger take bilinear.
+ * IRIS_ERR_FORMAT: other or different formats; IRIS_ERR_ALIAS: any overlap. nearest and bilinear: O(dst pixels), no
+ * division per pixel; area: O((src_w + dst_w) * (src_h + dst_h)), one 64-bit division per channel of a dst pixel. */
 iris_status iris_resize_nearest(const iris_image *dst, const iris_image *src);
 iris_status iris_resize_bilinear(const iris_image *dst, const iris_image *src);
+iris_status iris_resize_area(const iris_image *dst, const iris_image *src);
 
 #ifdef __cplusplus
 }

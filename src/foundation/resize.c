@@ -133,3 +133,84 @@ iris_status iris_resize_bilinear(const iris_image *dst, const iris_image *src)
     }
     return IRIS_OK;
 }
+
+/* The src pixels under one dst pixel on one axis, from first to last. A src pixel is dst_side units long and a dst
+ * pixel src_side units: lengths on this axis are whole numbers below 2^15, places below 2^30. */
+typedef struct {
+    int32_t first, last;
+    uint32_t first_part, part,
+        last_part; /* of the first, of those between, of the last; one pixel: first_part */
+} cover;
+
+/* Where dst pixel i begins, in src pixels: i * src / dst. */
+static walk walk_edges(int32_t dst_side, int32_t src_side)
+{
+    return walk_begin(0, src_side, dst_side);
+}
+
+/* The dst pixel that begins at *edge; moves on to its end. */
+static cover cover_next(walk *edge, int32_t src_side)
+{
+    walk end = *edge;
+    walk_next(&end);
+    cover c = {edge->value, end.value, (uint32_t)(edge->divisor - edge->rest), (uint32_t)edge->divisor,
+               (uint32_t)end.rest};
+    if (end.rest == 0) {
+        c.last--;
+        c.last_part = c.part;
+    }
+    if (c.first == c.last) {
+        c.first_part = (uint32_t)src_side;
+    }
+    *edge = end;
+    return c;
+}
+
+/* The weighed sum of a row under a dst pixel, one channel: at most 255 * 32767. */
+static uint32_t sum_across(const uint8_t *row, const cover *c, int32_t channels)
+{
+    uint32_t sum = row[c->first * channels] * c->first_part, between = 0;
+    if (c->first == c->last) {
+        return sum;
+    }
+    for (int32_t x = c->first + 1; x < c->last; x++) {
+        between += row[x * channels];
+    }
+    return sum + between * c->part + row[c->last * channels] * c->last_part;
+}
+
+/* The sum under a dst pixel, one channel: below 2^38. */
+static uint64_t sum_area(const iris_image *src, const cover *rows, const cover *columns, int32_t channel)
+{
+    const int32_t channels = src->format == IRIS_GRAY8 ? 1 : 3;
+    uint64_t sum = 0;
+    for (int32_t y = rows->first; y <= rows->last; y++) {
+        uint32_t part = y == rows->first ? rows->first_part : y == rows->last ? rows->last_part : rows->part;
+        const uint8_t *row = iris_image_row(src, y);
+        sum += (uint64_t)sum_across(row + channel, columns, channels) * part;
+    }
+    return sum;
+}
+
+iris_status iris_resize_area(const iris_image *dst, const iris_image *src)
+{
+    iris_status status = check_resize(dst, src);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    const int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;
+    const uint64_t area = (uint64_t)src->w * (uint64_t)src->h;
+    walk down = walk_edges(dst->h, src->h);
+    for (int32_t y = 0; y < dst->h; y++) {
+        uint8_t *to = iris_image_row(dst, y);
+        cover rows = cover_next(&down, src->h);
+        walk across = walk_edges(dst->w, src->w);
+        for (int32_t x = 0; x < dst->w; x++) {
+            cover columns = cover_next(&across, src->w);
+            for (int32_t c = 0; c < channels; c++) {
+                *to++ = (uint8_t)((sum_area(src, &rows, &columns, c) + area / 2) / area);
+            }
+        }
+    }
+    return IRIS_OK;
+}

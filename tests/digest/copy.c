@@ -1,6 +1,7 @@
 #include "digest.h"
 
 #include "iris/copy.h"
+#include "iris/turn.h"
 
 static void resized(iris_status (*resize)(const iris_image *dst, const iris_image *src), iris_format format)
 {
@@ -30,6 +31,54 @@ static void resize_bilinear_rgb(void)
     iris_image dst = digest_canvas(IRIS_RGB888, size.w, size.h);
     digest_number(iris_resize_bilinear(&dst, &src));
     digest_view(&dst);
+}
+
+static void resize_area_gray(void)
+{
+    resized(iris_resize_area, IRIS_GRAY8);
+}
+
+static void resize_area_rgb(void)
+{
+    iris_image src = digest_picture(IRIS_RGB888, 33, 17);
+    iris_image dst = digest_canvas(IRIS_RGB888, 14, 19);
+    digest_number(iris_resize_area(&dst, &src));
+    digest_view(&dst);
+}
+
+/* Every turning, and what can be done in place. */
+static void turned(iris_format format, int32_t w, int32_t h)
+{
+    iris_image src = digest_picture(format, w, h);
+    iris_image upright = digest_canvas(format, w, h);
+    iris_image lying = digest_canvas(format, h, w);
+    for (int how = IRIS_TURN_NONE; how <= IRIS_TRANSVERSE; how++) {
+        const iris_image *dst = how < IRIS_TRANSPOSE ? &upright : &lying;
+        digest_number(iris_turn(dst, &src, (iris_turning)how));
+        digest_view(dst);
+        digest_number(iris_turn(&src, &src, (iris_turning)how));
+    }
+    digest_view(&src);
+}
+
+static void turn_gray(void)
+{
+    turned(IRIS_GRAY8, 43, 36);
+}
+
+static void turn_mask(void)
+{
+    turned(IRIS_MASK1, 71, 40);
+}
+
+static void turn_rgb(void)
+{
+    turned(IRIS_RGB888, 35, 13);
+}
+
+static void turn_hsl48(void)
+{
+    turned(IRIS_HSL48, 11, 34);
 }
 
 static void paste(void)
@@ -81,6 +130,12 @@ const digest_operation digest_copy[] = {
     {"copy.resize_nearest_gray", resize_nearest_gray},
     {"copy.resize_bilinear_gray", resize_bilinear_gray},
     {"copy.resize_bilinear_rgb", resize_bilinear_rgb},
+    {"copy.resize_area_gray", resize_area_gray},
+    {"copy.resize_area_rgb", resize_area_rgb},
+    {"turn.gray", turn_gray},
+    {"turn.mask", turn_mask},
+    {"turn.rgb", turn_rgb},
+    {"turn.hsl48", turn_hsl48},
     {"copy.paste", paste},
     {"copy.mask_copy", mask_copy},
     {"copy.channels", channels},
