@@ -7,7 +7,7 @@ static void copy_samples(uint8_t *to, const iris_rows *rows, int32_t y)
 {
     const uint8_t *from = (const uint8_t *)iris_image_row(rows->src, y);
     if (rows->src->format != IRIS_HSL24) {
-        memcpy(to, from, (size_t)rows->src->w * (size_t)rows->channels);
+        memcpy(to, from, iris_format_row_bytes(rows->src->format, rows->src->w));
         return;
     }
     for (int32_t x = 0; x < rows->src->w; x++) {
@@ -15,9 +15,22 @@ static void copy_samples(uint8_t *to, const iris_rows *rows, int32_t y)
     }
 }
 
+/* Bit x of a mask's row, outside the picture, gets what stands for it. */
+static void continue_mask_at(uint32_t *row, const iris_rows *rows, int32_t x)
+{
+    int32_t index = iris_border_index(x, rows->src->w, rows->border.rule);
+    uint32_t bit = index < 0 ? rows->border.value != 0 : row[index / 32] >> index % 32 & 1;
+    uint32_t place = (uint32_t)1 << (x & 31);
+    row[x >> 5] = (row[x >> 5] & ~place) | (bit ? place : 0);
+}
+
 /* Pixel x of a slot's row, outside the picture, gets what stands for it. */
 static void continue_at(uint8_t *row, const iris_rows *rows, int32_t x)
 {
+    if (rows->src->format == IRIS_MASK1) {
+        continue_mask_at((uint32_t *)(void *)row, rows, x);
+        return;
+    }
     int32_t channels = rows->channels;
     int32_t index = iris_border_index(x, rows->src->w, rows->border.rule);
     for (int32_t c = 0; c < channels; c++) {
@@ -28,7 +41,11 @@ static void continue_at(uint8_t *row, const iris_rows *rows, int32_t x)
 static void load_next(iris_rows *rows)
 {
     uint8_t *row = rows->ring + (size_t)(rows->loaded % rows->slots) * rows->slot_bytes;
-    copy_samples(row, rows, rows->loaded);
+    if (rows->source.make) {
+        rows->source.make(rows->source.user, row, rows->loaded);
+    } else {
+        copy_samples(row, rows, rows->loaded);
+    }
     for (int32_t x = -rows->window.left; x < 0; x++) {
         continue_at(row, rows, x);
     }
@@ -41,22 +58,30 @@ static void load_next(iris_rows *rows)
 iris_status iris_rows_begin(iris_rows *rows, const iris_image *src, iris_rows_window window,
                             iris_border border, iris_scratch *scratch)
 {
+    return iris_rows_begin_from(rows, &(iris_rows_source){.shape = src}, window, border, scratch);
+}
+
+iris_status iris_rows_begin_from(iris_rows *rows, const iris_rows_source *source, iris_rows_window window,
+                                 iris_border border, iris_scratch *scratch)
+{
+    const iris_image *src = source->shape;
+    int32_t mask = src->format == IRIS_MASK1;
     int32_t channels = src->format == IRIS_RGB888 || src->format == IRIS_BGR888 ? 3 : 1;
     int32_t reach = window.above > window.below ? window.above : window.below;
-    size_t before = IRIS_SCRATCH_ROUND(window.left * channels);
-    size_t samples = (size_t)src->w * (size_t)channels;
-    size_t after = (size_t)window.right * (size_t)channels;
-    size_t bytes = IRIS_BORDER_ROWS_BYTES(samples, before, after, reach);
-    uint8_t *memory = (uint8_t *)iris_scratch_take(scratch, bytes);
+    size_t before = IRIS_SCRATCH_ROUND(mask ? (window.left + 7) / 8 : window.left * channels);
+    size_t from_0 = (size_t)(src->w + window.right);
+    from_0 = mask ? (from_0 + 31) / 32 * 4 : from_0 * (size_t)channels;
+    uint8_t *memory = (uint8_t *)iris_scratch_take(scratch, IRIS_BORDER_ROWS_BYTES(from_0, before, 0, reach));
     if (!memory) {
         return IRIS_ERR_SCRATCH;
     }
     *rows = (iris_rows){.src = src, .window = window, .border = border, .channels = channels, .reach = reach};
+    rows->source = *source;
     rows->slots = 2 * reach + 1;
-    rows->slot_bytes = IRIS_SCRATCH_ROUND(before + samples + after);
+    rows->slot_bytes = IRIS_SCRATCH_ROUND(before + from_0);
     rows->level = memory + before;
     rows->ring = rows->level + rows->slot_bytes;
-    memset(memory, border.value, rows->slot_bytes);
+    memset(memory, mask && border.value != 0 ? 255 : border.value, rows->slot_bytes);
     while (rows->loaded < src->h && rows->loaded <= reach) {
         load_next(rows);
     }
