@@ -2,6 +2,7 @@
 #
 #   tests/*.c tests/xt/*.c tests/linux/*.c   CMocka, one program each
 #   tests/kernels/*.c                        what tests/check_kernels.c knows of each row kernel
+#   tests/calls/*.c                          what tests/random_calls.c knows of each operation
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each
 #   tests/fuzz/*.c                           libFuzzer, one target each
@@ -31,6 +32,10 @@ $(OUT)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
 	$(SAY)
 	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
+
+CALLS_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/calls/*.c))
+$(CALLS_OBJ): TARGETINC := -Itests $(CMOCKAINC)
+$(OUT)/tests/random_calls: $(CALLS_OBJ)
 
 KERNEL_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/kernels/*.c))
 $(KERNEL_OBJ): TARGETINC := -Itests $(KERNELINC) $(CMOCKAINC)

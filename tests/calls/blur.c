@@ -1,0 +1,28 @@
+/* Blurs. */
+#include "iris/xt/blur.h"
+
+#include "calls.h"
+
+static size_t channels_of(iris_format format)
+{
+    return format == IRIS_GRAY8 ? 1 : 3;
+}
+
+static void gaussian(void)
+{
+    iris_format format = draw_gray_or_color();
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    iris_q16 sigma = draw_int(IRIS_BLUR_SIGMA_MIN, draw_chance(8) ? IRIS_BLUR_SIGMA_MAX : 3 * IRIS_Q16_ONE);
+    int fits = sigma >= IRIS_BLUR_SIGMA_MIN && sigma <= IRIS_BLUR_SIGMA_MAX;
+    iris_border border = draw_border();
+    iris_scratch *scratch =
+        draw_scratch(fits ? IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(size.w, channels_of(format), sigma) : 0);
+    CALL(iris_blur_gaussian(dst, src, sigma, border, scratch));
+}
+
+const random_call calls_blur[] = {
+    {"iris_blur_gaussian", gaussian},
+    {NULL, NULL},
+};
