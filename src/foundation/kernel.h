@@ -83,4 +83,24 @@ void iris_row_hsl_range_c(uint32_t *mask, const uint8_t *rgb, const iris_hsl_ran
 #define iris_row_hsl_range iris_row_hsl_range_c
 #endif
 
+/* dst = the median of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples away; rows are readable
+ * from -step up to below n + step. */
+void iris_row_median9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
+#ifndef iris_row_median9_u8
+#define iris_row_median9_u8 iris_row_median9_u8_c
+#endif
+
+/* sorted[0] = the least of five rows' samples, up to sorted[4] = the greatest. */
+void iris_row_sort5_u8_c(uint8_t *const sorted[5], const uint8_t *const rows[5], int32_t n);
+#ifndef iris_row_sort5_u8
+#define iris_row_sort5_u8 iris_row_sort5_u8_c
+#endif
+
+/* dst = the median of the 5x5 samples around, of the sorted rows of iris_row_sort5_u8, readable from -2 step up to below
+ * n + 2 step. */
+void iris_row_median25_u8_c(uint8_t *dst, const uint8_t *const sorted[5], int32_t step, int32_t n);
+#ifndef iris_row_median25_u8
+#define iris_row_median25_u8 iris_row_median25_u8_c
+#endif
+
 #endif

@@ -1,0 +1,88 @@
+/* Medians of rows, sixteen samples at a time. The last ones of a row come again, where it is no multiple of sixteen. */
+#include <arm_neon.h>
+
+#include "kernel.h"
+
+typedef uint8x16_t median_value;
+
+static inline median_value median_least(median_value a, median_value b)
+{
+    return vminq_u8(a, b);
+}
+
+static inline median_value median_greatest(median_value a, median_value b)
+{
+    return vmaxq_u8(a, b);
+}
+
+#include "kernel_median.h"
+
+static inline median_value median9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
+{
+    const uint8_t *above = rows[0] + i, *here = rows[1] + i, *below = rows[2] + i;
+    median_value left[3] = {vld1q_u8(above - step), vld1q_u8(here - step), vld1q_u8(below - step)};
+    median_value center[3] = {vld1q_u8(above), vld1q_u8(here), vld1q_u8(below)};
+    median_value right[3] = {vld1q_u8(above + step), vld1q_u8(here + step), vld1q_u8(below + step)};
+    return median9(left, center, right);
+}
+
+void iris_row_median9_u8_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    if (n < 16) {
+        iris_row_median9_u8_c(dst, rows, step, n);
+        return;
+    }
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t at = i < n - 16 ? i : n - 16;
+        vst1q_u8(dst + at, median9_at(rows, step, at));
+    }
+}
+
+void iris_row_sort5_u8_neon(uint8_t *const sorted[5], const uint8_t *const rows[5], int32_t n)
+{
+    if (n < 16) {
+        iris_row_sort5_u8_c(sorted, rows, n);
+        return;
+    }
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t at = i < n - 16 ? i : n - 16;
+        median_value v[5] = {vld1q_u8(rows[0] + at), vld1q_u8(rows[1] + at), vld1q_u8(rows[2] + at),
+                             vld1q_u8(rows[3] + at), vld1q_u8(rows[4] + at)};
+        sort5(v);
+        for (int r = 0; r < 5; r++) {
+            vst1q_u8(sorted[r] + at, v[r]);
+        }
+    }
+}
+
+static inline void load5(median_value v[5], const uint8_t *row, int32_t step)
+{
+    v[0] = vld1q_u8(row - 2 * step);
+    v[1] = vld1q_u8(row - step);
+    v[2] = vld1q_u8(row);
+    v[3] = vld1q_u8(row + step);
+    v[4] = vld1q_u8(row + 2 * step);
+}
+
+static inline median_value median25_at(const uint8_t *const sorted[5], int32_t step, int32_t i)
+{
+    median_value rank[5][5];
+    load5(rank[0], sorted[0] + i, step);
+    load5(rank[1], sorted[1] + i, step);
+    load5(rank[2], sorted[2] + i, step);
+    load5(rank[3], sorted[3] + i, step);
+    load5(rank[4], sorted[4] + i, step);
+    return median25(rank);
+}
+
+void iris_row_median25_u8_neon(uint8_t *dst, const uint8_t *const sorted[5], int32_t step, int32_t n)
+{
+    if (n < 16) {
+        iris_row_median25_u8_c(dst, sorted, step, n);
+        return;
+    }
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t at = i < n - 16 ? i : n - 16;
+        vst1q_u8(dst + at, median25_at(sorted, step, at));
+    }
+}
