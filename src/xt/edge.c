@@ -4,6 +4,7 @@
 
 #include "../foundation/rows.h"
 #include "edge_rows.h"
+#include "filter.h"
 
 void iris_edge_defaults(iris_edge_config *config)
 {
@@ -23,7 +24,7 @@ typedef struct {
     size_t mark;
 } edge_walk;
 
-static iris_status check_config(edge_walk *walk, const iris_edge_config *config, iris_border border)
+static iris_status check_config(edge_walk *walk, const iris_edge_config *config)
 {
     iris_edge_defaults(&walk->config);
     if (config) {
@@ -32,29 +33,17 @@ static iris_status check_config(edge_walk *walk, const iris_edge_config *config,
     const iris_edge_config *c = &walk->config;
     return c->op < IRIS_EDGE_SOBEL || c->op > IRIS_EDGE_LAPLACIAN || c->gain_q16 < 0 ||
                    c->gain_q16 >= IRIS_EDGE_GAIN_END || c->threshold < 0 ||
-                   c->threshold >= IRIS_EDGE_THRESHOLD_END || border.rule < IRIS_BORDER_REPLICATE ||
-                   border.rule > IRIS_BORDER_SKIP
+                   c->threshold >= IRIS_EDGE_THRESHOLD_END
                ? IRIS_ERR_ARG
                : IRIS_OK;
 }
 
-static iris_status check_view(const iris_image *dst, iris_format format, const iris_image *src)
+static iris_status check_view(const iris_image *dst, iris_format format, const iris_image *src,
+                              iris_border border)
 {
-    iris_status status = iris_image_check(dst);
-    if (status == IRIS_OK) {
-        status = iris_image_check(src);
-    }
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (dst->format != format || src->format != IRIS_GRAY8) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != src->w || dst->h != src->h) {
-        return IRIS_ERR_RANGE;
-    }
-    int same = format == IRIS_GRAY8 && dst->data == src->data && (dst->h == 1 || dst->stride == src->stride);
-    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+    iris_status status = iris_filter_check(dst, src, border);
+    return status != IRIS_ERR_ARG && (dst->format != format || src->format != IRIS_GRAY8) ? IRIS_ERR_FORMAT
+                                                                                          : status;
 }
 
 /* Takes working memory; ready at row 0. Given back by walk_end. */
@@ -133,15 +122,15 @@ iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const
     if ((!dx && !dy) || !src || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = check_config(&walk, config, border);
+    iris_status status = check_config(&walk, config);
     if (status == IRIS_OK && dy && walk.config.op == IRIS_EDGE_LAPLACIAN) {
         status = IRIS_ERR_ARG;
     }
     if (status == IRIS_OK && dx) {
-        status = check_view(dx, IRIS_GRAY_S16, src);
+        status = check_view(dx, IRIS_GRAY_S16, src, border);
     }
     if (status == IRIS_OK && dy) {
-        status = check_view(dy, IRIS_GRAY_S16, src);
+        status = check_view(dy, IRIS_GRAY_S16, src, border);
     }
     if (status == IRIS_OK && dx && dy && iris_image_overlaps(dx, dy)) {
         status = IRIS_ERR_ALIAS;
@@ -170,12 +159,12 @@ static iris_status walk_to(edge_walk *walk, const iris_image *dst, iris_format f
     if (!dst || !src || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = check_config(walk, config, border);
+    iris_status status = check_config(walk, config);
     if (status == IRIS_OK && format == IRIS_GRAY_U16 && walk->config.op == IRIS_EDGE_LAPLACIAN) {
         status = IRIS_ERR_ARG;
     }
     if (status == IRIS_OK) {
-        status = check_view(dst, format, src);
+        status = check_view(dst, format, src, border);
     }
     if (status == IRIS_OK) {
         status = walk_begin(walk, src, border, scratch);

@@ -1,5 +1,6 @@
 #include "digest.h"
 
+#include "iris/xt/canny.h"
 #include "iris/xt/edge.h"
 
 #define W 45
@@ -67,10 +68,19 @@ static void mask(void)
     }
 }
 
+static void canny(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_MASK1, W, H);
+    for (int i = 0; i < 4; i++) {
+        static const iris_canny_config configs[] = {
+            {91750, 40, 100}, {0, 100, 300}, {60000, 10, 200}, {40000, 0, 50}};
+        iris_scratch scratch = digest_scratch(IRIS_CANNY_SCRATCH_BYTES(W, H, configs[i].sigma_q16));
+        digest_number(iris_canny(&dst, &gray, &configs[i], borders[i], &scratch));
+        digest_view(&dst);
+    }
+}
+
 const digest_operation digest_edge[] = {
-    {"edge.gradient", gradient},
-    {"edge.magnitude", magnitude},
-    {"edge.direction", direction},
-    {"edge.mask", mask},
-    {NULL, NULL},
+    {"edge.gradient", gradient}, {"edge.magnitude", magnitude}, {"edge.direction", direction},
+    {"edge.mask", mask},         {"canny.mask", canny},         {NULL, NULL},
 };

@@ -144,7 +144,7 @@ static int32_t value_at(const iris_image *src, int32_t x, int32_t y, iris_border
 /* Every pair of neighbors, and every pair with a zero between, marks a pixel: written pair by pair. */
 static void reference_crossings(uint8_t *marks, const iris_image *src, int32_t threshold, iris_border border)
 {
-    memset(marks, 0, (size_t)(src->w * src->h));
+    memset(marks, 0, SIDE_MAX * SIDE_MAX);
     for (int32_t i = 0; i < 2 * src->w * src->h; i++) {
         int32_t x = i / 2 % src->w, y = i / 2 / src->w, right = i % 2, down = !right;
         int32_t a = value_at(src, x, y, border), b = value_at(src, x + right, y + down, border);
