@@ -22,7 +22,22 @@ static void gaussian(void)
     CALL(iris_blur_gaussian(dst, src, sigma, border, scratch));
 }
 
+static void box(void)
+{
+    iris_format format = draw_gray_or_color();
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    int32_t side = draw_int(1, draw_chance(8) ? IRIS_BLUR_SIDE_MAX : 20);
+    int fits = side >= 1 && side <= IRIS_BLUR_SIDE_MAX;
+    iris_border border = draw_border();
+    iris_scratch *scratch =
+        draw_scratch(fits ? IRIS_BLUR_BOX_SCRATCH_BYTES(size.w, channels_of(format), side) : 0);
+    CALL(iris_blur_box(dst, src, side, border, scratch));
+}
+
 const random_call calls_blur[] = {
     {"iris_blur_gaussian", gaussian},
+    {"iris_blur_box", box},
     {NULL, NULL},
 };

@@ -220,6 +220,13 @@ iris_scratch *draw_scratch(size_t needed)
     return &world.scratch;
 }
 
+iris_scratch *draw_scratch_up_to(size_t most)
+{
+    iris_scratch *scratch = draw_scratch(most);
+    world.kind = SCRATCH_UNKNOWN;
+    return scratch;
+}
+
 void draw_scratch_is_kept(void)
 {
     world.keeps_scratch = 1;

@@ -61,6 +61,9 @@ void *draw_state(const void *data, size_t bytes);
  * and one byte less must not, when all views are as they were asked for. */
 iris_scratch *draw_scratch(size_t needed);
 
+/* The same where it is not known how much is needed exactly: nothing is asked. */
+iris_scratch *draw_scratch_up_to(size_t most);
+
 /* What is taken of it stays taken when the call succeeds. */
 void draw_scratch_is_kept(void);
 

@@ -140,7 +140,7 @@ static void bayer_row(void)
     iris_format to = draw_gray_or_color();
     int32_t n = draw_within(0, 70);
     uint8_t *dst = OR_NULL(draw_results(bytes_of(to, n)));
-    const uint8_t *rows[3];
+    const uint8_t *rows[3] = {NULL, NULL, NULL};
     for (int i = 0; i < 3; i++) {
         rows[i] = i > 0 && draw_chance(3) ? rows[i - 1] : OR_NULL(draw_given(NULL, bytes_of(IRIS_GRAY8, n)));
     }

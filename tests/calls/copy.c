@@ -84,6 +84,14 @@ static void resize_bilinear(void)
     CALL(iris_resize_bilinear(dst, src));
 }
 
+static void resize_area(void)
+{
+    iris_format format = draw_gray_or_color();
+    const iris_image *dst = draw_output(format, draw_size());
+    const iris_image *src = draw_input(format, draw_size());
+    CALL(iris_resize_area(dst, src));
+}
+
 const random_call calls_copy[] = {
     {"iris_copy", copy},
     {"iris_paste", paste},
@@ -93,5 +101,6 @@ const random_call calls_copy[] = {
     {"iris_channel_insert", channel_insert},
     {"iris_resize_nearest", resize_nearest},
     {"iris_resize_bilinear", resize_bilinear},
+    {"iris_resize_area", resize_area},
     {NULL, NULL},
 };

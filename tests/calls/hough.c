@@ -1,0 +1,95 @@
+/* Straight lines: Hough transform and regression. */
+#include "iris/xt/hough.h"
+
+#include "calls.h"
+#include "iris/xt/regress.h"
+
+static iris_hough_config any_config(void)
+{
+    iris_hough_config config;
+    iris_hough_defaults(&config);
+    config.theta_bins = draw_int(1, 40);
+    config.rho_step = 1 << draw_below(3);
+    config.min_votes = draw_int(1, 30);
+    if (draw_chance(3)) {
+        config.angle_min = (iris_angle)draw_int(-16384, 16384);
+        config.angle_max = (iris_angle)draw_int(-16384, 16384);
+        config.rho_min = draw_int(-50, 0);
+        config.rho_max = draw_int(1, 50);
+        config.theta_separation = draw_int(0, IRIS_HOUGH_SEPARATION_MAX);
+        config.rho_separation = draw_int(0, IRIS_HOUGH_SEPARATION_MAX);
+    }
+    return config;
+}
+
+static void lines(void)
+{
+    iris_size size = draw_size();
+    iris_hough_config config = any_config();
+    int32_t capacity = draw_int(0, 5);
+    int fits = capacity >= 0 && capacity <= 5;
+    iris_hough_line *found = OR_NULL(draw_results((size_t)(fits ? capacity : 5) * sizeof *found));
+    capacity = fits || capacity < 0 ? capacity : 5;
+    int32_t *count = OR_NULL(draw_results(sizeof *count));
+    const iris_image *mask = draw_input(IRIS_MASK1, size);
+    const iris_hough_config *given = OR_NULL(draw_given(&config, sizeof config));
+    iris_scratch *scratch = draw_scratch_up_to(IRIS_HOUGH_SCRATCH_BYTES(70, 70, 40));
+    CALL(iris_hough_lines(found, capacity, count, mask, given, scratch));
+}
+
+static void clip(void)
+{
+    iris_hough_line line = {(iris_angle)draw_int(-20000, 20000), draw_int(-3000000, 3000000), 0};
+    iris_hough_ends *ends = OR_NULL(draw_results(sizeof *ends));
+    const iris_hough_line *given = OR_NULL(draw_given(&line, sizeof line));
+    iris_size size = draw_size();
+    CALL(iris_hough_clip(ends, given, size));
+}
+
+static void regress_mask(void)
+{
+    iris_line *line = OR_NULL(draw_results(sizeof *line));
+    const iris_image *mask = draw_input(IRIS_MASK1, draw_size());
+    CALL(iris_regress_mask(line, mask));
+}
+
+static void regress_points(void)
+{
+    int32_t count = draw_int(0, 50);
+    int fits = count >= 0 && count <= 50;
+    iris_line *line = OR_NULL(draw_results(sizeof *line));
+    const iris_point *points = OR_NULL(draw_given(NULL, (size_t)(fits ? count : 0) * sizeof *points));
+    CALL(iris_regress_points(line, points, fits ? count : count < 0 ? count : 0));
+}
+
+static void regress_rows(void)
+{
+    int32_t y0 = draw_int(0, 70), y1 = draw_int(0, 70), trims = draw_int(0, 4);
+    iris_line *line = OR_NULL(draw_results(sizeof *line));
+    const int16_t *twice_x = OR_NULL(draw_given(NULL, 72 * sizeof *twice_x));
+    y1 = y1 > 71 && y1 <= IRIS_REGRESS_ROW_MAX ? 71 : y1;
+    CALL(iris_regress_rows(line, twice_x, y0, y1, trims));
+}
+
+static void regress_moments(void)
+{
+    iris_moments moments = {0};
+    for (int i = draw_within(0, 6); i > 0; i--) {
+        iris_moments_add(&moments, draw_int(-70000, 70000), draw_int(-70000, 70000));
+        iris_moments_add_run(&moments, draw_within(-70000, 0), draw_within(0, 70000),
+                             draw_int(-70000, 70000));
+    }
+    iris_line *line = OR_NULL(draw_results(sizeof *line));
+    const iris_moments *given = OR_NULL(draw_given(draw_chance(8) ? NULL : &moments, sizeof moments));
+    CALL(iris_regress_moments(line, given));
+}
+
+const random_call calls_hough[] = {
+    {"iris_hough_lines", lines},
+    {"iris_hough_clip", clip},
+    {"iris_regress_mask", regress_mask},
+    {"iris_regress_points", regress_points},
+    {"iris_regress_rows", regress_rows},
+    {"iris_regress_moments", regress_moments},
+    {NULL, NULL},
+};
