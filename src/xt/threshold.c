@@ -1,6 +1,7 @@
 #include "iris/xt/threshold.h"
 
 #include "../foundation/kernel.h"
+#include "iris/xt/histogram.h"
 
 static iris_status check(const iris_image *mask, const iris_image *gray, iris_select select)
 {
@@ -63,15 +64,7 @@ iris_status iris_threshold_otsu(uint8_t *value, const iris_image *mask, const ir
     if (!histogram) {
         return IRIS_ERR_SCRATCH;
     }
-    for (int32_t level = 0; level < 256; level++) {
-        histogram[level] = 0;
-    }
-    for (int32_t y = 0; y < gray->h; y++) {
-        const uint8_t *row = (const uint8_t *)iris_image_row(gray, y);
-        for (int32_t x = 0; x < gray->w; x++) {
-            histogram[row[x]]++;
-        }
-    }
+    (void)iris_histogram(histogram, gray, 0, NULL);
     uint8_t found;
     status = iris_otsu_value(&found, histogram);
     iris_scratch_release(scratch, start);

@@ -1,0 +1,108 @@
+/* Tones on pictures. */
+#include "tone_picture.h"
+
+#include "../foundation/hsl_fine.h"
+#include "iris/xt/tone.h"
+
+iris_status iris_tone_check(const iris_image *dst, const iris_image *src)
+{
+    if (!dst || !src) {
+        return IRIS_ERR_ARG;
+    }
+    iris_status status = iris_image_check(dst);
+    if (status == IRIS_OK) {
+        status = iris_image_check(src);
+    }
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (dst->format != src->format ||
+        (src->format != IRIS_GRAY8 && src->format != IRIS_RGB888 && src->format != IRIS_BGR888)) {
+        return IRIS_ERR_FORMAT;
+    }
+    if (dst->w != src->w || dst->h != src->h) {
+        return IRIS_ERR_RANGE;
+    }
+    int same = dst->data == src->data && (dst->h == 1 || dst->stride == src->stride);
+    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+}
+
+static void row_apply(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = level[src[i]];
+    }
+}
+
+iris_status iris_tone_row(uint8_t *dst, const uint8_t *src, int32_t n, const iris_tone *tone)
+{
+    if (!dst || !src || !tone) {
+        return IRIS_ERR_ARG;
+    }
+    if (n < 0) {
+        return IRIS_ERR_RANGE;
+    }
+    uintptr_t to = (uintptr_t)dst, from = (uintptr_t)src, bytes = (uintptr_t)n;
+    if (to != from && to < from + bytes && from < to + bytes) {
+        return IRIS_ERR_ALIAS;
+    }
+    row_apply(dst, src, tone->level, n);
+    return IRIS_OK;
+}
+
+iris_status iris_tone_apply(const iris_image *dst, const iris_image *src, const iris_tone *tone)
+{
+    iris_status status = tone ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    if (status != IRIS_OK) {
+        return status;
+    }
+    int32_t bytes = src->format == IRIS_GRAY8 ? src->w : 3 * src->w;
+    for (int32_t y = 0; y < src->h; y++) {
+        row_apply((uint8_t *)iris_image_row(dst, y), (const uint8_t *)iris_image_row(src, y), tone->level,
+                  bytes);
+    }
+    return IRIS_OK;
+}
+
+iris_status iris_tone_apply_rgb(const iris_image *dst, const iris_image *src, const iris_tone *red,
+                                const iris_tone *green, const iris_tone *blue)
+{
+    iris_status status = red && green && blue ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    if (status != IRIS_OK || src->format == IRIS_GRAY8) {
+        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    }
+    const iris_tone *first = src->format == IRIS_RGB888 ? red : blue;
+    const iris_tone *third = src->format == IRIS_RGB888 ? blue : red;
+    for (int32_t y = 0; y < src->h; y++) {
+        uint8_t *to = (uint8_t *)iris_image_row(dst, y);
+        const uint8_t *from = (const uint8_t *)iris_image_row(src, y);
+        for (int32_t i = 0; i < 3 * src->w; i += 3) {
+            to[i] = first->level[from[i]];
+            to[i + 1] = green->level[from[i + 1]];
+            to[i + 2] = third->level[from[i + 2]];
+        }
+    }
+    return IRIS_OK;
+}
+
+iris_status iris_tone_apply_lightness(const iris_image *dst, const iris_image *src, const iris_tone *tone)
+{
+    if (src && src->format == IRIS_GRAY8) {
+        return iris_tone_apply(dst, src, tone);
+    }
+    iris_status status = tone ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    if (status != IRIS_OK) {
+        return status;
+    }
+    int red = src->format == IRIS_RGB888 ? 0 : 2;
+    for (int32_t y = 0; y < src->h; y++) {
+        uint8_t *to = (uint8_t *)iris_image_row(dst, y);
+        const uint8_t *from = (const uint8_t *)iris_image_row(src, y);
+        for (int32_t i = 0; i < 3 * src->w; i += 3) {
+            iris_hsl_fine hsl = iris_hsl_fine_of(iris_tone_color_at(from + i, red));
+            hsl.l_q20 = iris_tone_twice_at(tone->level, hsl.l_q20 >> 20) << 20;
+            iris_tone_color_put(to + i, iris_hsl_fine_color(hsl), red);
+        }
+    }
+    return IRIS_OK;
+}
