@@ -69,7 +69,7 @@ iris_status iris_rows_begin_from(iris_rows *rows, const iris_rows_source *source
     int32_t channels = src->format == IRIS_RGB888 || src->format == IRIS_BGR888 ? 3 : 1;
     int32_t reach = window.above > window.below ? window.above : window.below;
     size_t before = IRIS_SCRATCH_ROUND(mask ? (window.left + 7) / 8 : window.left * channels);
-    size_t from_0 = (size_t)(src->w + window.right);
+    size_t from_0 = (size_t)src->w + (size_t)window.right;
     from_0 = mask ? (from_0 + 31) / 32 * 4 : from_0 * (size_t)channels;
     uint8_t *memory = (uint8_t *)iris_scratch_take(scratch, IRIS_BORDER_ROWS_BYTES(from_0, before, 0, reach));
     if (!memory) {

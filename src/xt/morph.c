@@ -1,5 +1,6 @@
 #include "iris/xt/morph.h"
 
+#include "mask_bits.h"
 #include "morph_step.h"
 
 typedef enum { DILATE, ERODE, OPEN, CLOSE, GRADIENT, TOPHAT, BLACKHAT } morph_kind;
@@ -138,10 +139,10 @@ static void make_mask_result(uint32_t *row, morph_work *work, int32_t y, int32_t
 {
     int32_t first = x / 32, last = (x + w - 1) / 32;
     uint32_t before = row[first], after = row[last];
-    uint32_t before_bits = ((uint32_t)1 << x % 32) - 1, after_bits = ~1u << (x + w - 1) % 32;
+    uint32_t first_bits = iris_mask_range(first, x, x + w), last_bits = iris_mask_range(last, x, x + w);
     make_result((uint8_t *)(row + first), work, y, 4 * first, 4 * (last - first + 1));
-    row[first] = (row[first] & ~before_bits) | (before & before_bits);
-    row[last] = (row[last] & ~after_bits) | (after & after_bits);
+    row[first] = (row[first] & first_bits) | (before & ~first_bits);
+    row[last] = (row[last] & last_bits) | (after & ~last_bits);
 }
 
 static void make_picture(const iris_image *dst, morph_work *work, iris_border_rule rule)

@@ -1,12 +1,5 @@
+#include "mask_bits.h"
 #include "morph_step.h"
-
-/* 32 pixels of a mask's row from pixel `at` on. */
-static uint32_t pixels_at(const uint32_t *row, int32_t at)
-{
-    int32_t shift = at & 31;
-    const uint32_t *word = row + (at >> 5);
-    return word[0] >> shift | word[1] << 1 << (31 - shift);
-}
 
 static int32_t words_of(int32_t pixels)
 {
@@ -18,10 +11,10 @@ static void move_pixels(uint32_t *to, const uint32_t *row, int32_t first, int32_
 {
     int32_t words = words_of(n);
     for (int32_t i = 0; i < words - 1; i++) {
-        to[i] = pixels_at(row, 32 * i + first);
+        to[i] = iris_mask_pixels(row, 32 * i + first);
     }
     int32_t at = 32 * (words - 1) + first;
-    to[words - 1] = at >> 5 == (n - 1 + first) >> 5 ? row[at >> 5] >> (at & 31) : pixels_at(row, at);
+    to[words - 1] = at >> 5 == (n - 1 + first) >> 5 ? row[at >> 5] >> (at & 31) : iris_mask_pixels(row, at);
 }
 
 /* Pixels x, x + a, x + b of run are joined to pixel x. */
@@ -30,8 +23,8 @@ static void join_three(uint32_t *to, const uint32_t *run, int32_t a, int32_t b, 
     int32_t words = words_of(span->w);
     uint32_t turn = span->all ? ~0u : 0u; /* and is or of the negatives */
     for (int32_t i = 0; i < words; i++) {
-        uint32_t third = pixels_at(run, 32 * i + a) ^ turn;
-        third |= pixels_at(run, 32 * i + b) ^ turn;
+        uint32_t third = iris_mask_pixels(run, 32 * i + a) ^ turn;
+        third |= iris_mask_pixels(run, 32 * i + b) ^ turn;
         to[i] = (third | (run[i] ^ turn)) ^ turn;
     }
 }

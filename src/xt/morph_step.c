@@ -140,45 +140,48 @@ iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source 
     return IRIS_OK;
 }
 
-/* Adds the runs that overlap to `count` lines, the last of which is line i. Returns how many parts there are then. */
-static int add_runs(const uint8_t **parts, int parts_count, const iris_morph_step *step, int32_t i,
-                    int32_t count)
+/* Adds the runs that overlap to `lines` lines, the last of which is line i. Returns how many parts there are then. */
+static int add_runs(const uint8_t **parts, int count, const iris_morph_step *step, int32_t i, int32_t lines)
 {
-    for (int32_t before = 0; before < count; before += step->longest) {
-        int32_t back = before < count - step->longest ? before : count - step->longest;
-        parts[parts_count++] = run_at(step, step->top, i - back);
+    for (int32_t before = 0; before < lines; before += step->longest) {
+        int32_t back = before < lines - step->longest ? before : lines - step->longest;
+        parts[count++] = run_at(step, step->top, i - back);
     }
-    return parts_count;
+    return count;
+}
+
+/* Adds the pixels of the anchor's row; without the anchor itself only one side of two. */
+static int add_center(const uint8_t **parts, int count, iris_morph_step *step)
+{
+    const uint8_t *row = iris_rows_at(&step->rows, 0);
+    if (!step->element.exclude_center) {
+        parts[count++] = step->element.shape == IRIS_MORPH_CROSS
+                             ? join_span(step, step->run, row, -step->left, step->right)
+                             : run_at(step, 0, step->rows.y + step->above);
+    } else if (step->left > 0) {
+        parts[count++] = join_span(step, step->run, row, -step->left, -1);
+    } else if (step->right > 0) {
+        parts[count++] = join_span(step, step->run, row, 1, step->right);
+    }
+    return count;
 }
 
 void iris_morph_step_row(iris_morph_step *step, uint8_t *to, int32_t from, int32_t n)
 {
-    const iris_rows *rows = &step->rows;
-    const uint8_t *parts[8]; /* three runs above, three below, one or two in the anchor's row */
-    const uint8_t *row = iris_rows_at(rows, 0);
-    add_line(step, iris_rows_at(rows, step->below));
-    int32_t anchor = rows->y + step->above;
-    int count = add_runs(parts, 0, step, anchor - 1, step->above);
-    count = add_runs(parts, count, step, anchor + step->below, step->below);
-    int twice = step->element.exclude_center && step->left > 0 && step->right > 0;
-    if (step->element.exclude_center) {
-        if (step->left > 0) {
-            parts[count++] = join_span(step, step->run, row, -step->left, -1);
-        } else if (step->right > 0) {
-            parts[count++] = join_span(step, step->run, row, 1, step->right);
-        }
-    } else if (step->element.shape == IRIS_MORPH_CROSS) {
-        parts[count++] = join_span(step, step->run, row, -step->left, step->right);
-    } else {
-        parts[count++] = run_at(step, 0, anchor);
-    }
+    int32_t above = step->rows.y + step->above - 1, below = above + step->below + 1;
+    const uint8_t *row = iris_rows_at(&step->rows, 0);
+    const uint8_t *parts[8] = {row}; /* one to three runs above, as many below, and the center */
+    add_line(step, iris_rows_at(&step->rows, step->below));
+    int count = add_runs(parts, 0, step, above, step->above);
+    count = add_runs(parts, count, step, below, step->below);
+    count = add_center(parts, count, step);
     const uint8_t *joined = parts[0] + from;
     for (int i = 1; i == 1 || i < count; i += 2) {
         const uint8_t *next = parts[i < count ? i : 0] + from;
         step->join(to, joined, next, i + 1 < count ? parts[i + 1] + from : next, n);
         joined = to;
     }
-    if (twice) {
+    if (step->element.exclude_center && step->left > 0 && step->right > 0) {
         const uint8_t *other = join_span(step, step->run, row, 1, step->right) + from;
         step->join(to, to, other, other, n);
     }

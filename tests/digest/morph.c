@@ -1,5 +1,6 @@
 #include "digest.h"
 
+#include "iris/xt/hitmiss.h"
 #include "iris/xt/morph.h"
 
 #define W 45
@@ -66,14 +67,25 @@ static void blackhat_mask(void)
     morph(IRIS_MASK1, iris_morph_blackhat, 2);
 }
 
+static void hitmiss(void)
+{
+    static const char *const patterns[] = {"000/.1./111", "10", "1/1/0/1"};
+    iris_image mask = digest_picture(IRIS_MASK1, W, H);
+    iris_image result = digest_canvas(IRIS_MASK1, W, H);
+    for (int i = 0; i < 3; i++) {
+        iris_hitmiss_pattern pattern = {0};
+        digest_number(iris_hitmiss_pattern_read(&pattern, patterns[i]));
+        iris_scratch scratch = digest_scratch(IRIS_HITMISS_SCRATCH_BYTES(W, pattern.w, pattern.h));
+        digest_number(
+            iris_hitmiss_find(&result, &mask, &pattern, (iris_border){(iris_border_rule)i, 0}, &scratch));
+        digest_view(&result);
+    }
+}
+
 const digest_operation digest_morph[] = {
-    {"morph.dilate", dilate},
-    {"morph.erode", erode},
-    {"morph.open", open_gray},
-    {"morph.gradient", gradient},
-    {"morph.tophat", tophat},
-    {"morph.dilate_mask", dilate_mask},
-    {"morph.close_mask", close_mask},
-    {"morph.blackhat_mask", blackhat_mask},
-    {NULL, NULL},
+    {"morph.dilate", dilate},         {"morph.erode", erode},
+    {"morph.open", open_gray},        {"morph.gradient", gradient},
+    {"morph.tophat", tophat},         {"morph.dilate_mask", dilate_mask},
+    {"morph.close_mask", close_mask}, {"morph.blackhat_mask", blackhat_mask},
+    {"hitmiss.find", hitmiss},        {NULL, NULL},
 };
