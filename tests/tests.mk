@@ -146,7 +146,7 @@ A64      := $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-l
 CORTEX   := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none PORT=generic \
             OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
                  -fno-inline-small-functions" \
-            CFLAGS="-flto -ffat-lto-objects"
+            CFLAGS="-flto -flto-partition=one -ffat-lto-objects"
 M4       := $(CORTEX) MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
 M0       := $(CORTEX) MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
 CMOCKA_H := /usr/include/cmocka.h

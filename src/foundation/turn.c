@@ -230,8 +230,8 @@ iris_format iris_turn_format(iris_format format, iris_size size, iris_turning tu
 
 static iris_status check(const iris_image *dst, const iris_image *src, iris_turning turning)
 {
-    if (iris_image_check(dst) != IRIS_OK || iris_image_check(src) != IRIS_OK || turning < IRIS_TURN_NONE ||
-        turning > IRIS_TRANSVERSE) {
+    if (iris_image_check(dst) != IRIS_OK || iris_image_check(src) != IRIS_OK ||
+        (unsigned)turning > IRIS_TRANSVERSE) {
         return IRIS_ERR_ARG;
     }
     int in_pairs = src->format == IRIS_YUYV || src->format == IRIS_UYVY;

@@ -31,9 +31,8 @@ static iris_status check_config(edge_walk *walk, const iris_edge_config *config)
         walk->config = *config;
     }
     const iris_edge_config *c = &walk->config;
-    return c->op < IRIS_EDGE_SOBEL || c->op > IRIS_EDGE_LAPLACIAN || c->gain_q16 < 0 ||
-                   c->gain_q16 >= IRIS_EDGE_GAIN_END || c->threshold < 0 ||
-                   c->threshold >= IRIS_EDGE_THRESHOLD_END
+    return (unsigned)c->op > IRIS_EDGE_LAPLACIAN || c->gain_q16 < 0 || c->gain_q16 >= IRIS_EDGE_GAIN_END ||
+                   c->threshold < 0 || c->threshold >= IRIS_EDGE_THRESHOLD_END
                ? IRIS_ERR_ARG
                : IRIS_OK;
 }

@@ -7,7 +7,7 @@ static int same_view(const iris_image *a, const iris_image *b)
 
 iris_status iris_filter_check(const iris_image *dst, const iris_image *src, iris_border border)
 {
-    if (!dst || !src || border.rule < IRIS_BORDER_REPLICATE || border.rule > IRIS_BORDER_SKIP) {
+    if (!dst || !src || (unsigned)border.rule > IRIS_BORDER_SKIP) {
         return IRIS_ERR_ARG;
     }
     iris_status status = iris_image_check(dst);

@@ -169,7 +169,7 @@ static iris_status apply(const iris_image *dst, const iris_image *src, const iri
     if (given) {
         element = *given;
     }
-    if (!dst || !src || !scratch || border.rule < IRIS_BORDER_REPLICATE || border.rule > IRIS_BORDER_SKIP) {
+    if (!dst || !src || !scratch || (unsigned)border.rule > IRIS_BORDER_SKIP) {
         return IRIS_ERR_ARG;
     }
     iris_status status = check_element(&element);

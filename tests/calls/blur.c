@@ -1,7 +1,8 @@
-/* Blurs. */
+/* Blurs and the median. */
 #include "iris/xt/blur.h"
 
 #include "calls.h"
+#include "iris/xt/median.h"
 
 static size_t channels_of(iris_format format)
 {
@@ -36,8 +37,23 @@ static void box(void)
     CALL(iris_blur_box(dst, src, side, border, scratch));
 }
 
+static void median(void)
+{
+    iris_format format = draw_gray_or_color();
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    int32_t side = draw_chance(6) ? draw_int(1, 7) : 3 + 2 * draw_within(0, 1);
+    int fits = side == 3 || side == 5;
+    iris_border border = draw_border();
+    iris_scratch *scratch =
+        draw_scratch(fits ? IRIS_MEDIAN_SCRATCH_BYTES(size.w, channels_of(format), side) : 0);
+    CALL(iris_median(dst, src, side, border, scratch));
+}
+
 const random_call calls_blur[] = {
     {"iris_blur_gaussian", gaussian},
     {"iris_blur_box", box},
+    {"iris_median", median},
     {NULL, NULL},
 };

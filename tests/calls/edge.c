@@ -2,6 +2,7 @@
 #include "iris/xt/edge.h"
 
 #include "calls.h"
+#include "iris/xt/canny.h"
 
 static const iris_edge_config *any_config(void)
 {
@@ -56,10 +57,33 @@ static void mask(void)
     from_gray(IRIS_MASK1, iris_edge_mask);
 }
 
+static void canny(void)
+{
+    iris_canny_config config;
+    iris_canny_defaults(&config);
+    if (draw_chance(2)) {
+        config.sigma_q16 =
+            draw_chance(2) ? 0 : draw_int(IRIS_BLUR_SIGMA_MIN, draw_chance(8) ? IRIS_BLUR_SIGMA_MAX : 200000);
+        config.low = draw_int(0, draw_chance(4) ? IRIS_CANNY_THRESHOLD_END - 1 : 100);
+        config.high = draw_int(config.low > 0 ? config.low : 0, IRIS_CANNY_THRESHOLD_END - 1);
+    }
+    int fits = config.sigma_q16 == 0 ||
+               (config.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && config.sigma_q16 <= IRIS_BLUR_SIGMA_MAX);
+    iris_size size = draw_size();
+    const iris_image *mask = draw_output(IRIS_MASK1, size);
+    const iris_image *src = draw_input(IRIS_GRAY8, size);
+    const iris_canny_config *given = draw_given(&config, sizeof config);
+    iris_border border = draw_border();
+    iris_scratch *scratch =
+        draw_scratch(fits ? IRIS_CANNY_SCRATCH_BYTES(size.w, size.h, config.sigma_q16) : 0);
+    CALL(iris_canny(mask, src, given, border, scratch));
+}
+
 const random_call calls_edge[] = {
     {"iris_edge_gradient", gradient},
     {"iris_edge_magnitude", magnitude},
     {"iris_edge_direction", direction},
     {"iris_edge_mask", mask},
+    {"iris_canny", canny},
     {NULL, NULL},
 };

@@ -1,9 +1,11 @@
 #include <string.h>
 
 #include "bench.h"
+#include "iris/bayer.h"
 #include "iris/color.h"
+#include "iris/nv12.h"
 
-static iris_image yuyv, bgr, hsl;
+static iris_image yuyv, bgr, hsl, bayer, chroma;
 
 static void prepare_yuyv(void)
 {
@@ -21,6 +23,19 @@ static void prepare_hsl(void)
 {
     hsl = bench_canvas(IRIS_HSL24);
     (void)iris_color_convert(&hsl, &bench_frame.rgb);
+}
+
+static void prepare_bayer(void)
+{
+    bayer = bench_frame.gray;
+    bayer.format = IRIS_BAYER8_RGGB;
+}
+
+static void prepare_chroma(void)
+{
+    chroma = bench_canvas_of(IRIS_UV88, bench_frame.gray.w / 2, bench_frame.gray.h / 2);
+    (void)memcpy(chroma.data, bench_frame.rgb.data,
+                 iris_format_row_bytes(IRIS_UV88, chroma.w) * (size_t)chroma.h);
 }
 
 static void luma_of_rgb(void)
@@ -63,6 +78,21 @@ static void rgb_of_hsl(void)
     (void)iris_color_convert(&bench_frame.rgb_to, &hsl);
 }
 
+static void rgb_of_nv12(void)
+{
+    (void)iris_nv12_convert(&bench_frame.rgb_to, &bench_frame.gray, &chroma);
+}
+
+static void rgb_of_bayer(void)
+{
+    (void)iris_bayer_convert(&bench_frame.rgb_to, &bayer);
+}
+
+static void gray_of_bayer(void)
+{
+    (void)iris_bayer_convert(&bench_frame.gray_to, &bayer);
+}
+
 static void hsl_range(void)
 {
     const iris_hsl_range range = {30, 80, 30, 100, 20, 90};
@@ -70,9 +100,17 @@ static void hsl_range(void)
 }
 
 const bench_case bench_color[] = {
-    {"RGB to gray by luma", luma_of_rgb, NULL},    {"BGR to gray by luma", luma_of_bgr, prepare_bgr},
-    {"BGR to RGB", rgb_of_bgr, prepare_bgr},       {"BGR to RGB in place", rgb_of_bgr_in_place, prepare_bgr},
-    {"YUYV to gray", gray_of_yuyv, prepare_yuyv},  {"YUYV to RGB", rgb_of_yuyv, prepare_yuyv},
-    {"RGB to HSL24", hsl_of_rgb, prepare_hsl},     {"HSL24 to RGB", rgb_of_hsl, prepare_hsl},
-    {"RGB to mask by HSL range", hsl_range, NULL}, {0},
+    {"RGB to gray by luma", luma_of_rgb, NULL},
+    {"BGR to gray by luma", luma_of_bgr, prepare_bgr},
+    {"BGR to RGB", rgb_of_bgr, prepare_bgr},
+    {"BGR to RGB in place", rgb_of_bgr_in_place, prepare_bgr},
+    {"YUYV to gray", gray_of_yuyv, prepare_yuyv},
+    {"YUYV to RGB", rgb_of_yuyv, prepare_yuyv},
+    {"NV12 to RGB", rgb_of_nv12, prepare_chroma},
+    {"Bayer to RGB", rgb_of_bayer, prepare_bayer},
+    {"Bayer to gray", gray_of_bayer, prepare_bayer},
+    {"RGB to HSL24", hsl_of_rgb, prepare_hsl},
+    {"HSL24 to RGB", rgb_of_hsl, prepare_hsl},
+    {"RGB to mask by HSL range", hsl_range, NULL},
+    {0},
 };

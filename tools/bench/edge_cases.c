@@ -1,0 +1,99 @@
+#include "bench.h"
+
+#include "iris/xt/canny.h"
+#include "iris/xt/edge.h"
+
+static const iris_border replicate;
+static iris_image dx, dy, angles;
+
+static void prepare_wide(void)
+{
+    dx = bench_canvas(IRIS_GRAY_S16);
+    dy = bench_canvas(IRIS_GRAY_S16);
+    angles = bench_canvas(IRIS_GRAY_U16);
+}
+
+static void magnitude(iris_edge_operator op)
+{
+    iris_edge_config config;
+    iris_edge_defaults(&config);
+    config.op = op;
+    (void)iris_edge_magnitude(&bench_frame.gray_to, &bench_frame.gray, &config, replicate,
+                              &bench_frame.scratch);
+}
+
+static void sobel(void)
+{
+    magnitude(IRIS_EDGE_SOBEL);
+}
+
+static void prewitt(void)
+{
+    magnitude(IRIS_EDGE_PREWITT);
+}
+
+static void isotropic(void)
+{
+    magnitude(IRIS_EDGE_ISOTROPIC);
+}
+
+static void roberts(void)
+{
+    magnitude(IRIS_EDGE_ROBERTS);
+}
+
+static void laplacian(void)
+{
+    magnitude(IRIS_EDGE_LAPLACIAN);
+}
+
+static void gradient(void)
+{
+    (void)iris_edge_gradient(&dx, &dy, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+}
+
+static void direction(void)
+{
+    (void)iris_edge_direction(&angles, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+}
+
+static void mask(void)
+{
+    (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+}
+
+static void zero_crossings(void)
+{
+    iris_edge_config config;
+    iris_edge_defaults(&config);
+    config.op = IRIS_EDGE_LAPLACIAN;
+    (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
+}
+
+static void canny(void)
+{
+    (void)iris_canny(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+}
+
+static void canny_unsmoothed(void)
+{
+    iris_canny_config config;
+    iris_canny_defaults(&config);
+    config.sigma_q16 = 0;
+    (void)iris_canny(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
+}
+
+const bench_case bench_edge[] = {
+    {"edges, Sobel magnitude", sobel, NULL},
+    {"edges, Prewitt magnitude", prewitt, NULL},
+    {"edges, isotropic magnitude", isotropic, NULL},
+    {"edges, Roberts magnitude", roberts, NULL},
+    {"edges, Laplacian magnitude", laplacian, NULL},
+    {"edges, Sobel gradient", gradient, prepare_wide},
+    {"edges, Sobel direction", direction, prepare_wide},
+    {"edges, Sobel mask", mask, NULL},
+    {"edges, Laplacian zero crossings", zero_crossings, NULL},
+    {"edges, Canny, sigma 1.4", canny, NULL},
+    {"edges, Canny, not smoothed", canny_unsmoothed, NULL},
+    {0},
+};
