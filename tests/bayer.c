@@ -104,7 +104,7 @@ static void against_the_reference(void **state)
                 memset(out, 0x5A, sizeof out);
                 assert_int_equal(iris_bayer_convert(&dst, &src), IRIS_OK);
                 assert_demosaiced(&dst, &src, k % 4);
-                for (size_t p = iris_format_row_bytes(targets[k / 4], w); p < (size_t)(3 * w + 7); p++) {
+                for (size_t p = iris_format_row_bytes(targets[k / 4], w); p < 3 * (size_t)w + 7; p++) {
                     assert_int_equal(((uint8_t *)iris_image_row(&dst, 0))[p], 0x5A);
                 }
             }
@@ -191,13 +191,14 @@ static void real_pictures(void **state)
         decoded from = decode(file, bytes, IRIS_RGB888);
         assert_int_equal(from.status, IRIS_OK);
         int32_t w = from.image.w, h = from.image.h;
-        uint8_t *mosaic = malloc((size_t)(w * h)), *made = malloc((size_t)(3 * w * h));
+        const size_t count = (size_t)w * (size_t)h;
+        uint8_t *mosaic = malloc(count), *made = malloc(3 * count);
         for (int order = 0; order < 4; order++) {
             for (int32_t p = 0; p < w * h; p++) {
                 mosaic[p] = from.image.pixels[3 * p + seen_by(order, p % w, p / w)];
             }
-            iris_image src = wrap(mosaic, (size_t)(w * h), w, h, 0, orders[order]);
-            iris_image dst = wrap(made, (size_t)(3 * w * h), w, h, 0, IRIS_RGB888);
+            iris_image src = wrap(mosaic, count, w, h, 0, orders[order]);
+            iris_image dst = wrap(made, 3 * count, w, h, 0, IRIS_RGB888);
             assert_int_equal(iris_bayer_convert(&dst, &src), IRIS_OK);
             double reached = psnr(&from.image, made);
             print_message("# %s %s: %.1f dB\n", cases[i].name, letters[order], reached);

@@ -41,9 +41,8 @@ static void letters_by_hand(void **state)
     (void)state;
     static const char *const expected[8] = {"abcdef", "cbafed", "defabc", "fedcba",
                                             "adbecf", "daebfc", "cfbead", "fcebda"};
-    uint8_t letters[6], turned[7] = "";
+    uint8_t letters[] = "abcdef", turned[] = "......";
     for (int how = 0; how < 8; how++) {
-        memcpy(letters, "abcdef", 6);
         int32_t w = how < 4 ? 3 : 2, h = 5 - w;
         iris_image src = wrap(letters, 6, 3, 2, 0, IRIS_GRAY8), dst = wrap(turned, 6, w, h, 0, IRIS_GRAY8);
         assert_int_equal(iris_turn(&dst, &src, (iris_turning)how), IRIS_OK);
