@@ -311,7 +311,17 @@ static void wrong_calls_are_refused(void **state)
     bad = up;
     bad.data = from + 53;
     assert_int_equal(iris_pyramid_up(&bad, &src, plain, &scratch), IRIS_ERR_ALIAS);
+    assert_memory_equal(to, before, sizeof to);
+}
 
+static void wrong_pyramids_are_refused(void **state)
+{
+    (void)state;
+    iris_scratch scratch = working(sizeof arena);
+    const iris_border plain = {0}, skip = {IRIS_BORDER_SKIP, 0}, unknown = {(iris_border_rule)4, 0};
+    memset(to, 0x5A, sizeof to);
+    memcpy(before, to, sizeof to);
+    iris_image src = wrap(from, sizeof from, 9, 6, 0, IRIS_GRAY8), bad;
     iris_pyramid pyramid = {.levels = 77}, damaged;
     assert_int_equal(iris_pyramid_wrap(NULL, &src, 2, memory, sizeof memory), IRIS_ERR_ARG);
     assert_int_equal(iris_pyramid_wrap(&pyramid, NULL, 2, memory, sizeof memory), IRIS_ERR_ARG);
@@ -350,6 +360,7 @@ int main(void)
         cmocka_unit_test(sizes_are_constants),
         cmocka_unit_test(constant_pictures_stay),
         cmocka_unit_test(wrong_calls_are_refused),
+        cmocka_unit_test(wrong_pyramids_are_refused),
     };
     return cmocka_run_group_tests_name("pyramid", tests, NULL, NULL);
 }
