@@ -277,7 +277,7 @@ static void wrong_calls_are_refused(void **state)
 {
     (void)state;
     iris_scratch scratch = working(sizeof arena);
-    const iris_border plain = {0}, skip = {IRIS_BORDER_SKIP, 0}, unknown = {(iris_border_rule)4, 0};
+    const iris_border plain = {0}, unknown = {(iris_border_rule)4, 0};
     memset(to, 0x5A, sizeof to);
     memcpy(before, to, sizeof to);
     iris_image src = wrap(from, sizeof from, 9, 6, 0, IRIS_GRAY8),
