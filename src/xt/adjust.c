@@ -15,7 +15,7 @@ static iris_hsl_fine shift_of(const iris_adjustment *by)
     int32_t degrees = by->hue % 360;
     degrees = degrees < 0 ? degrees + 360 : degrees;
     return (iris_hsl_fine){degrees * 65536 / 60, by->saturation * IRIS_HSL_FINE_S / 100,
-                           by->lightness * (IRIS_HSL_FINE_L / 100)};
+                           (int32_t)((int64_t)by->lightness * IRIS_HSL_FINE_L / 100)};
 }
 
 static iris_color color_shifted(iris_color color, iris_hsl_fine add)

@@ -405,6 +405,7 @@ static void adjustment_by_hand(void **state)
     adjusted(0, 0, 255, (iris_adjustment){.lightness = 100}, 0xFFFFFF);
     adjusted(0, 0, 255, (iris_adjustment){.lightness = -100}, 0x000000);
     adjusted(0, 0, 255, (iris_adjustment){.lightness = 20}, 0x6666FF);
+    adjusted(99, 99, 99, (iris_adjustment){.lightness = 10}, 0x7D7D7D); /* half up */
     adjusted(0, 0, 0, (iris_adjustment){.lightness = 20}, 0x333333);
     adjusted(0, 0, 0, (iris_adjustment){.red = 51, .lightness = 10}, 0x660000);
 }

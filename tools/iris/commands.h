@@ -13,6 +13,13 @@ int cmd_pipe(int argc, char **argv);
 extern const operation operation_convert;
 extern const operation operation_gray;
 extern const operation operation_threshold;
+extern const operation operation_negative;
+extern const operation operation_adjust;
+extern const operation operation_compress;
+extern const operation operation_stretch;
+extern const operation operation_gamma;
+extern const operation operation_histogram;
+extern const operation operation_equalize;
 
 /* All of them, in the order of iris --help; ends with null. */
 extern const operation *const operations[];

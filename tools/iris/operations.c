@@ -7,6 +7,13 @@ const operation *const operations[] = {
     &operation_convert,
     &operation_gray,
     &operation_threshold,
+    &operation_negative,
+    &operation_adjust,
+    &operation_compress,
+    &operation_stretch,
+    &operation_gamma,
+    &operation_histogram,
+    &operation_equalize,
     NULL,
 };
 
