@@ -46,7 +46,7 @@ static uint8_t sample(const iris_image *src, int x, int y, int c, iris_border bo
 static uint8_t median_by_sorting(const iris_image *src, int i, int y, int side, iris_border border)
 {
     int channels = src->format == IRIS_GRAY8 ? 1 : 3, count = 0;
-    uint8_t values[25];
+    uint8_t values[25] = {0};
     for (int dy = -side / 2; dy <= side / 2; dy++) {
         for (int dx = -side / 2; dx <= side / 2; dx++) {
             values[count++] = sample(src, i / channels + dx, y + dy, i % channels, border);
