@@ -20,6 +20,15 @@ extern const operation operation_stretch;
 extern const operation operation_gamma;
 extern const operation operation_histogram;
 extern const operation operation_equalize;
+extern const operation operation_dilate;
+extern const operation operation_erode;
+extern const operation operation_open;
+extern const operation operation_close;
+extern const operation operation_gradient;
+extern const operation operation_tophat;
+extern const operation operation_blackhat;
+extern const operation operation_hitmiss;
+extern const operation operation_distance;
 
 /* All of them, in the order of iris --help; ends with null. */
 extern const operation *const operations[];

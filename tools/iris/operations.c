@@ -14,6 +14,15 @@ const operation *const operations[] = {
     &operation_gamma,
     &operation_histogram,
     &operation_equalize,
+    &operation_dilate,
+    &operation_erode,
+    &operation_open,
+    &operation_close,
+    &operation_gradient,
+    &operation_tophat,
+    &operation_blackhat,
+    &operation_hitmiss,
+    &operation_distance,
     NULL,
 };
 
