@@ -73,13 +73,12 @@ static void sum_down(const iris_blur_rows *blur, int32_t from, int32_t n)
     }
 }
 
-/* The same from left to right, into bytes. At most 255 * 2^23 + 2^22 < 2^31 before the shift. */
-static void sum_across(uint8_t *dst, const iris_blur_rows *blur, int32_t from, int32_t n)
+/* The same from left to right, times 2^bits, with `half` for rounding. At most 255 * 2^23 + 2^22 < 2^31. */
+static void sum_across(int32_t *sums, const iris_blur_rows *blur, int32_t half, int32_t from, int32_t n)
 {
-    int32_t sums[TILE];
     const int16_t *center = blur->middle + from;
     for (int32_t i = 0; i < n; i++) {
-        sums[i] = (1 << (blur->bits + 5)) + blur->weights[0] * center[i];
+        sums[i] = half + blur->weights[0] * center[i];
     }
     for (int32_t k = 1; k <= blur->radius; k++) {
         const int16_t *left = center - k * blur->rows.channels;
@@ -89,9 +88,6 @@ static void sum_across(uint8_t *dst, const iris_blur_rows *blur, int32_t from, i
             sums[i] += weight * (left[i] + right[i]);
         }
     }
-    for (int32_t i = 0; i < n; i++) {
-        dst[from + i] = (uint8_t)(sums[i] >> (blur->bits + 6));
-    }
 }
 
 static int32_t tile(int32_t from, int32_t end)
@@ -99,17 +95,44 @@ static int32_t tile(int32_t from, int32_t end)
     return end - from < TILE ? end - from : TILE;
 }
 
+/* The samples of the row that are evaluated, summed from top to bottom; 0 when there are none. */
+static int make_middle(const iris_blur_rows *blur, int32_t *first, int32_t *end)
+{
+    int32_t channels = blur->rows.channels, beyond = blur->radius * channels;
+    if (!iris_rows_span(first, end, &blur->rows)) {
+        return 0;
+    }
+    *first *= channels;
+    *end *= channels;
+    for (int32_t i = *first - beyond; i < *end + beyond; i += TILE) {
+        sum_down(blur, i, tile(i, *end + beyond));
+    }
+    return 1;
+}
+
 void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst)
 {
-    int32_t first, end, channels = blur->rows.channels, beyond = blur->radius * channels;
-    if (iris_rows_span(&first, &end, &blur->rows)) {
-        first *= channels;
-        end *= channels;
-        for (int32_t i = first - beyond; i < end + beyond; i += TILE) {
-            sum_down(blur, i, tile(i, end + beyond));
+    int32_t first, end, sums[TILE];
+    int32_t some = make_middle(blur, &first, &end);
+    for (int32_t start = first; some && start < end; start += TILE) {
+        int32_t n = tile(start, end);
+        sum_across(sums, blur, 1 << (blur->bits + 5), start, n);
+        for (int32_t i = 0; i < n; i++) {
+            dst[start + i] = (uint8_t)(sums[i] >> (blur->bits + 6));
         }
-        for (int32_t i = first; i < end; i += TILE) {
-            sum_across(dst, blur, i, tile(i, end));
+    }
+    iris_rows_next(&blur->rows);
+}
+
+void iris_blur_rows_next_q6(iris_blur_rows *blur, int16_t *dst)
+{
+    int32_t first, end, sums[TILE];
+    int32_t some = make_middle(blur, &first, &end);
+    for (int32_t start = first; some && start < end; start += TILE) {
+        int32_t n = tile(start, end);
+        sum_across(sums, blur, 1 << (blur->bits - 1), start, n);
+        for (int32_t i = 0; i < n; i++) {
+            dst[start + i] = (int16_t)(sums[i] >> blur->bits);
         }
     }
     iris_rows_next(&blur->rows);

@@ -35,4 +35,7 @@ iris_status iris_blur_rows_begin(iris_blur_rows *blur, const iris_image *src, ir
  * row of src. O(radius * w * channels). */
 void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst);
 
+/* The same with 6 fraction bits, 0 to 255 * 64: for what amplifies small differences. */
+void iris_blur_rows_next_q6(iris_blur_rows *blur, int16_t *dst);
+
 #endif

@@ -5,24 +5,35 @@
 #include "../foundation/rows.h"
 #include "edge_rows.h"
 #include "filter.h"
+#include "log_rows.h"
 
 void iris_edge_defaults(iris_edge_config *config)
 {
     if (config) {
-        *config = (iris_edge_config){IRIS_EDGE_SOBEL, IRIS_Q16_ONE / 4, 160};
+        *config = (iris_edge_config){IRIS_EDGE_SOBEL, IRIS_Q16_ONE / 4, 160, 91750};
     }
 }
 
 /* A call on its way down the picture. */
 typedef struct {
     iris_edge_config config;
-    iris_rows rows;
+    const iris_image *src;
+    iris_border border;
+    int32_t y;
+    iris_rows rows;     /* around row y; not of LOG */
+    iris_log_rows log;  /* before row y; of LOG */
     int16_t *values;    /* four rows */
     size_t row_step;    /* from one to the next */
-    int32_t first, end; /* the pixels of row rows.y that are evaluated */
+    int32_t first, end; /* the pixels of row y that are evaluated */
     iris_scratch *scratch;
     size_t mark;
 } edge_walk;
+
+/* The second derivatives have one value for each pixel, and no direction. */
+static int has_one_value(iris_edge_operator op)
+{
+    return op == IRIS_EDGE_LAPLACIAN || op == IRIS_EDGE_LOG;
+}
 
 static iris_status check_config(edge_walk *walk, const iris_edge_config *config)
 {
@@ -31,8 +42,10 @@ static iris_status check_config(edge_walk *walk, const iris_edge_config *config)
         walk->config = *config;
     }
     const iris_edge_config *c = &walk->config;
-    return (unsigned)c->op > IRIS_EDGE_LAPLACIAN || c->gain_q16 < 0 || c->gain_q16 >= IRIS_EDGE_GAIN_END ||
-                   c->threshold < 0 || c->threshold >= IRIS_EDGE_THRESHOLD_END
+    int smooths = c->sigma_q16 >= IRIS_BLUR_SIGMA_MIN && c->sigma_q16 <= IRIS_BLUR_SIGMA_MAX;
+    return (unsigned)c->op > IRIS_EDGE_LOG || c->gain_q16 < 0 || c->gain_q16 >= IRIS_EDGE_GAIN_END ||
+                   c->threshold < 0 || c->threshold >= IRIS_EDGE_THRESHOLD_END ||
+                   (c->op == IRIS_EDGE_LOG && !smooths)
                ? IRIS_ERR_ARG
                : IRIS_OK;
 }
@@ -50,6 +63,9 @@ static iris_status walk_begin(edge_walk *walk, const iris_image *src, iris_borde
                               iris_scratch *scratch)
 {
     const size_t row_bytes = IRIS_SCRATCH_ROUND(2u * ((size_t)src->w + 2u));
+    walk->src = src;
+    walk->border = border;
+    walk->y = 0;
     walk->scratch = scratch;
     walk->mark = iris_scratch_mark(scratch);
     walk->row_step = row_bytes / 2;
@@ -57,11 +73,16 @@ static iris_status walk_begin(edge_walk *walk, const iris_image *src, iris_borde
     if (!walk->values) {
         return IRIS_ERR_SCRATCH;
     }
-    iris_status status = iris_rows_begin(&walk->rows, src, (iris_rows_window){1, 1, 1, 1}, border, scratch);
+    iris_status status =
+        walk->config.op == IRIS_EDGE_LOG
+            ? iris_log_rows_begin(&walk->log, src, walk->config.sigma_q16, border, scratch)
+            : iris_rows_begin(&walk->rows, src, (iris_rows_window){1, 1, 1, 1}, border, scratch);
     if (status != IRIS_OK) {
         iris_scratch_release(scratch, walk->mark);
+        return status;
     }
-    return status;
+    memset(walk->values, 0, 4 * row_bytes);
+    return IRIS_OK;
 }
 
 static iris_status walk_end(const edge_walk *walk)
@@ -70,27 +91,29 @@ static iris_status walk_end(const edge_walk *walk)
     return IRIS_OK;
 }
 
-/* One of four rows of values, readable one pixel beyond its ends. */
+/* One of four rows of values, 0 until written, readable one pixel beyond its ends. */
 static int16_t *values_row(const edge_walk *walk, int32_t index)
 {
     return walk->values + (size_t)index * walk->row_step + 1;
 }
 
-/* The pixels to be evaluated in row rows.y; 0 when there are none. */
+/* The pixels to be evaluated in row y; 0 when there are none. */
 static int walk_span(edge_walk *walk)
 {
-    const iris_rows *rows = &walk->rows;
-    if (rows->border.rule != IRIS_BORDER_SKIP || walk->config.op != IRIS_EDGE_ROBERTS) {
-        return iris_rows_span(&walk->first, &walk->end, rows);
+    if (walk->border.rule != IRIS_BORDER_SKIP || walk->config.op != IRIS_EDGE_ROBERTS) {
+        return iris_rows_span(&walk->first, &walk->end, &walk->rows);
     }
     walk->first = 0;
-    walk->end = rows->src->w - 1;
-    return walk->end > 0 && rows->y < rows->src->h - 1;
+    walk->end = walk->src->w - 1;
+    return walk->end > 0 && walk->y < walk->src->h - 1;
 }
 
-/* The differences of row rows.y; 0 when none are to be evaluated. */
+/* The differences of row y, once for each row; 0 when none are to be evaluated. dy: null when there is one value. */
 static int walk_row(edge_walk *walk, int16_t *dx, int16_t *dy)
 {
+    if (walk->config.op == IRIS_EDGE_LOG) {
+        return iris_log_rows_next(&walk->log, dx, &walk->first, &walk->end);
+    }
     if (!walk_span(walk)) {
         return 0;
     }
@@ -100,16 +123,18 @@ static int walk_row(edge_walk *walk, int16_t *dx, int16_t *dy)
     return 1;
 }
 
-/* LAPLACIAN's other value is 0 everywhere. */
-static void walk_clear(const edge_walk *walk)
+static void walk_next(edge_walk *walk)
 {
-    memset(walk->values, 0, 4 * walk->row_step * sizeof *walk->values);
+    walk->y++;
+    if (walk->config.op != IRIS_EDGE_LOG) {
+        iris_rows_next(&walk->rows);
+    }
 }
 
 static void put_row(const iris_image *dst, const edge_walk *walk, const int16_t *values)
 {
     if (dst) {
-        int16_t *row = (int16_t *)iris_image_row(dst, walk->rows.y);
+        int16_t *row = (int16_t *)iris_image_row(dst, walk->y);
         memcpy(row + walk->first, values + walk->first, 2u * (size_t)(walk->end - walk->first));
     }
 }
@@ -122,7 +147,7 @@ iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const
         return IRIS_ERR_ARG;
     }
     iris_status status = check_config(&walk, config);
-    if (status == IRIS_OK && dy && walk.config.op == IRIS_EDGE_LAPLACIAN) {
+    if (status == IRIS_OK && dy && has_one_value(walk.config.op)) {
         status = IRIS_ERR_ARG;
     }
     if (status == IRIS_OK && dx) {
@@ -141,7 +166,7 @@ iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const
         return status;
     }
     int16_t *x_row = values_row(&walk, 0), *y_row = values_row(&walk, 1);
-    for (; walk.rows.y < src->h; iris_rows_next(&walk.rows)) {
+    for (; walk.y < src->h; walk_next(&walk)) {
         if (walk_row(&walk, x_row, y_row)) {
             put_row(dx, &walk, x_row);
             put_row(dy, &walk, y_row);
@@ -159,19 +184,13 @@ static iris_status walk_to(edge_walk *walk, const iris_image *dst, iris_format f
         return IRIS_ERR_ARG;
     }
     iris_status status = check_config(walk, config);
-    if (status == IRIS_OK && format == IRIS_GRAY_U16 && walk->config.op == IRIS_EDGE_LAPLACIAN) {
+    if (status == IRIS_OK && format == IRIS_GRAY_U16 && has_one_value(walk->config.op)) {
         status = IRIS_ERR_ARG;
     }
     if (status == IRIS_OK) {
         status = check_view(dst, format, src, border);
     }
-    if (status == IRIS_OK) {
-        status = walk_begin(walk, src, border, scratch);
-    }
-    if (status == IRIS_OK) {
-        walk_clear(walk);
-    }
-    return status;
+    return status == IRIS_OK ? walk_begin(walk, src, border, scratch) : status;
 }
 
 static int32_t magnitude(int32_t dx, int32_t dy)
@@ -188,14 +207,17 @@ iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, co
         return status;
     }
     const uint32_t gain = (uint32_t)walk.config.gain_q16;
+    const uint32_t white =
+        gain == 0 ? UINT32_MAX : (256u << 16) / gain + 1; /* from here on; no product overflows */
     int16_t *dx = values_row(&walk, 0), *dy = values_row(&walk, 1);
-    for (; walk.rows.y < src->h; iris_rows_next(&walk.rows)) {
+    for (; walk.y < src->h; walk_next(&walk)) {
         if (!walk_row(&walk, dx, dy)) {
             continue;
         }
-        uint8_t *row = (uint8_t *)iris_image_row(dst, walk.rows.y);
+        uint8_t *row = (uint8_t *)iris_image_row(dst, walk.y);
         for (int32_t x = walk.first; x < walk.end; x++) {
-            uint32_t level = ((uint32_t)magnitude(dx[x], dy[x]) * gain + 32768u) >> 16;
+            uint32_t size = (uint32_t)magnitude(dx[x], dy[x]);
+            uint32_t level = ((size < white ? size : white) * gain + 32768u) >> 16;
             row[x] = (uint8_t)(level > 255 ? 255 : level);
         }
     }
@@ -212,11 +234,11 @@ iris_status iris_edge_direction(const iris_image *dst, const iris_image *src, co
     }
     const int32_t turn = walk.config.op == IRIS_EDGE_ROBERTS ? 8192 : 0;
     int16_t *dx = values_row(&walk, 0), *dy = values_row(&walk, 1);
-    for (; walk.rows.y < src->h; iris_rows_next(&walk.rows)) {
+    for (; walk.y < src->h; walk_next(&walk)) {
         if (!walk_row(&walk, dx, dy)) {
             continue;
         }
-        uint16_t *row = (uint16_t *)iris_image_row(dst, walk.rows.y);
+        uint16_t *row = (uint16_t *)iris_image_row(dst, walk.y);
         for (int32_t x = walk.first; x < walk.end; x++) {
             row[x] = dx[x] == 0 && dy[x] == 0 ? 0 : (uint16_t)(iris_atan2_angle(dy[x], dx[x]) + turn);
         }
@@ -228,11 +250,11 @@ static void mask_magnitude(const iris_image *mask, edge_walk *walk)
 {
     const int32_t threshold = walk->config.threshold;
     int16_t *dx = values_row(walk, 0), *dy = values_row(walk, 1);
-    for (; walk->rows.y < mask->h; iris_rows_next(&walk->rows)) {
+    for (; walk->y < mask->h; walk_next(walk)) {
         if (!walk_row(walk, dx, dy)) {
             continue;
         }
-        uint32_t *row = (uint32_t *)iris_image_row(mask, walk->rows.y);
+        uint32_t *row = (uint32_t *)iris_image_row(mask, walk->y);
         for (int32_t word = walk->first / 32; 32 * word < walk->end; word++) {
             uint32_t part = iris_mask_part(word, walk->first, walk->end), bits = 0;
             for (int32_t i = 0; i < 32; i++) {
@@ -283,7 +305,8 @@ static void row_crossings(uint32_t *row, const int16_t *const values[3], int32_t
 /* Values of three rows in a ring; the fourth stays 0, for what lies beyond the edge. */
 static void mask_crossings(const iris_image *mask, edge_walk *walk)
 {
-    const int32_t margin = walk->rows.border.rule == IRIS_BORDER_SKIP ? 2 : 0;
+    const int32_t reach = walk->config.op == IRIS_EDGE_LOG ? IRIS_BLUR_RADIUS(walk->config.sigma_q16) : 0;
+    const int32_t margin = walk->border.rule == IRIS_BORDER_SKIP ? reach + 2 : 0;
     const int16_t *zeros = values_row(walk, 3);
     const int16_t *values[3] = {zeros, zeros, zeros};
     for (int32_t y = 0; y <= mask->h; y++) {
@@ -296,7 +319,7 @@ static void mask_crossings(const iris_image *mask, edge_walk *walk)
                           mask->w - margin);
         }
         if (y < mask->h) {
-            iris_rows_next(&walk->rows);
+            walk_next(walk);
         }
     }
 }
@@ -309,7 +332,7 @@ iris_status iris_edge_mask(const iris_image *mask, const iris_image *src, const 
     if (status != IRIS_OK) {
         return status;
     }
-    if (walk.config.op == IRIS_EDGE_LAPLACIAN) {
+    if (has_one_value(walk.config.op)) {
         mask_crossings(mask, &walk);
     } else {
         mask_magnitude(mask, &walk);

@@ -49,6 +49,8 @@ void iris_edge_row(int16_t *dx, int16_t *dy, const uint8_t *const rows[3], iris_
     case IRIS_EDGE_ROBERTS:
         row_roberts(dx, dy, rows, first, end);
         break;
+    case IRIS_EDGE_LOG:
+        break; /* log_rows.h */
     case IRIS_EDGE_LAPLACIAN:
         row_laplacian(dx, rows, first, end);
         break;

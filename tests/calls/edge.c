@@ -4,28 +4,43 @@
 #include "calls.h"
 #include "iris/xt/canny.h"
 
+static iris_edge_config config;
+
 static const iris_edge_config *any_config(void)
 {
-    iris_edge_config config;
     iris_edge_defaults(&config);
-    config.op = (iris_edge_operator)draw_int(IRIS_EDGE_SOBEL, IRIS_EDGE_LAPLACIAN);
+    if (draw_chance(10)) {
+        return NULL;
+    }
+    config.op = (iris_edge_operator)draw_int(IRIS_EDGE_SOBEL, IRIS_EDGE_LOG);
     if (draw_chance(2)) {
         config.gain_q16 = draw_int(0, IRIS_EDGE_GAIN_END - 1);
         config.threshold = draw_int(0, draw_chance(4) ? IRIS_EDGE_THRESHOLD_END - 1 : 300);
+        config.sigma_q16 = draw_int(IRIS_BLUR_SIGMA_MIN, draw_chance(10) ? IRIS_BLUR_SIGMA_MAX : 200000);
     }
-    return draw_chance(10) ? NULL : draw_given(&config, sizeof config);
+    return draw_given(&config, sizeof config);
+}
+
+/* For the config drawn last. */
+static iris_scratch *any_scratch(int32_t w)
+{
+    int smooths = config.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && config.sigma_q16 <= IRIS_BLUR_SIGMA_MAX;
+    return draw_scratch(config.op != IRIS_EDGE_LOG ? IRIS_EDGE_SCRATCH_BYTES(w)
+                        : smooths                  ? IRIS_EDGE_LOG_SCRATCH_BYTES(w, config.sigma_q16)
+                                                   : 0);
 }
 
 static void gradient(void)
 {
     iris_size size = draw_size();
     const iris_image *dx = draw_output(IRIS_GRAY_S16, size);
-    const iris_image *dy = draw_chance(3) ? NULL : draw_output(IRIS_GRAY_S16, size);
     const iris_image *src = draw_input(IRIS_GRAY8, size);
-    const iris_edge_config *config = any_config();
+    const iris_edge_config *given = any_config();
+    int has_dy = config.op != IRIS_EDGE_LAPLACIAN && config.op != IRIS_EDGE_LOG;
+    const iris_image *dy = draw_chance(has_dy ? 3 : 20) == has_dy ? NULL : draw_output(IRIS_GRAY_S16, size);
     iris_border border = draw_border();
-    iris_scratch *scratch = draw_scratch(IRIS_EDGE_SCRATCH_BYTES(size.w));
-    CALL(iris_edge_gradient(dx, dy, src, config, border, scratch));
+    iris_scratch *scratch = any_scratch(size.w);
+    CALL(iris_edge_gradient(dx, dy, src, given, border, scratch));
 }
 
 static void from_gray(iris_format format,
@@ -36,10 +51,10 @@ static void from_gray(iris_format format,
     iris_size size = draw_size();
     const iris_image *dst = draw_output(format, size);
     const iris_image *src = draw_input(IRIS_GRAY8, size);
-    const iris_edge_config *config = any_config();
+    const iris_edge_config *given = any_config();
     iris_border border = draw_border();
-    iris_scratch *scratch = draw_scratch(IRIS_EDGE_SCRATCH_BYTES(size.w));
-    CALL(operation(dst, src, config, border, scratch));
+    iris_scratch *scratch = any_scratch(size.w);
+    CALL(operation(dst, src, given, border, scratch));
 }
 
 static void magnitude(void)
@@ -59,23 +74,22 @@ static void mask(void)
 
 static void canny(void)
 {
-    iris_canny_config config;
-    iris_canny_defaults(&config);
+    iris_canny_config by;
+    iris_canny_defaults(&by);
     if (draw_chance(2)) {
-        config.sigma_q16 =
+        by.sigma_q16 =
             draw_chance(2) ? 0 : draw_int(IRIS_BLUR_SIGMA_MIN, draw_chance(8) ? IRIS_BLUR_SIGMA_MAX : 200000);
-        config.low = draw_int(0, draw_chance(4) ? IRIS_CANNY_THRESHOLD_END - 1 : 100);
-        config.high = draw_int(config.low > 0 ? config.low : 0, IRIS_CANNY_THRESHOLD_END - 1);
+        by.low = draw_int(0, draw_chance(4) ? IRIS_CANNY_THRESHOLD_END - 1 : 100);
+        by.high = draw_int(by.low > 0 ? by.low : 0, IRIS_CANNY_THRESHOLD_END - 1);
     }
-    int fits = config.sigma_q16 == 0 ||
-               (config.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && config.sigma_q16 <= IRIS_BLUR_SIGMA_MAX);
+    int fits =
+        by.sigma_q16 == 0 || (by.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && by.sigma_q16 <= IRIS_BLUR_SIGMA_MAX);
     iris_size size = draw_size();
     const iris_image *mask = draw_output(IRIS_MASK1, size);
     const iris_image *src = draw_input(IRIS_GRAY8, size);
-    const iris_canny_config *given = draw_given(&config, sizeof config);
+    const iris_canny_config *given = draw_given(&by, sizeof by);
     iris_border border = draw_border();
-    iris_scratch *scratch =
-        draw_scratch(fits ? IRIS_CANNY_SCRATCH_BYTES(size.w, size.h, config.sigma_q16) : 0);
+    iris_scratch *scratch = draw_scratch(fits ? IRIS_CANNY_SCRATCH_BYTES(size.w, size.h, by.sigma_q16) : 0);
     CALL(iris_canny(mask, src, given, border, scratch));
 }
 

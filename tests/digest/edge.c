@@ -68,6 +68,21 @@ static void mask(void)
     }
 }
 
+static void log_mask(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_MASK1, W, H);
+    iris_image values = digest_canvas(IRIS_GRAY_S16, W, H);
+    iris_edge_config config = config_of(IRIS_EDGE_LOG);
+    iris_scratch scratch = digest_scratch(IRIS_EDGE_LOG_SCRATCH_BYTES(W, 120000));
+    for (int i = 0; i < 4; i++) {
+        config.sigma_q16 = 30000 * (i + 1);
+        digest_number(iris_edge_mask(&dst, &gray, &config, borders[i], &scratch));
+        digest_view(&dst);
+        digest_number(iris_edge_gradient(&values, NULL, &gray, &config, borders[i], &scratch));
+        digest_view(&values);
+    }
+}
+
 static void canny(void)
 {
     iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_MASK1, W, H);
@@ -81,6 +96,11 @@ static void canny(void)
 }
 
 const digest_operation digest_edge[] = {
-    {"edge.gradient", gradient}, {"edge.magnitude", magnitude}, {"edge.direction", direction},
-    {"edge.mask", mask},         {"canny.mask", canny},         {NULL, NULL},
+    {"edge.gradient", gradient},
+    {"edge.magnitude", magnitude},
+    {"edge.direction", direction},
+    {"edge.mask", mask},
+    {"edge.log", log_mask},
+    {"canny.mask", canny},
+    {NULL, NULL},
 };

@@ -133,55 +133,70 @@ static void assert_direction(const iris_image *src, int op, iris_border border)
 }
 
 /* The Laplacian for zero crossings: 0 where there is none. */
-static int32_t value_at(const iris_image *src, int32_t x, int32_t y, iris_border border)
+static int32_t value_at(const iris_image *values, int32_t x, int32_t y)
 {
-    int inside = x >= 0 && y >= 0 && x < src->w && y < src->h;
-    return inside && is_evaluated(src, IRIS_EDGE_LAPLACIAN, x, y, border)
-               ? reference_dx(src, IRIS_EDGE_LAPLACIAN, x, y, border)
-               : 0;
+    int inside = x >= 0 && y >= 0 && x < values->w && y < values->h;
+    int32_t value = inside ? ((const int16_t *)iris_image_row(values, y))[x] : 0;
+    return value == UNTOUCHED_S16 ? 0 : value;
 }
 
 /* Every pair of neighbors, and every pair with a zero between, marks a pixel: written pair by pair. */
-static void reference_crossings(uint8_t *marks, const iris_image *src, int32_t threshold, iris_border border)
+static void reference_crossings(uint8_t *marks, const iris_image *values, int32_t threshold)
 {
     memset(marks, 0, SIDE_MAX * SIDE_MAX);
-    for (int32_t i = 0; i < 2 * src->w * src->h; i++) {
-        int32_t x = i / 2 % src->w, y = i / 2 / src->w, right = i % 2, down = !right;
-        int32_t a = value_at(src, x, y, border), b = value_at(src, x + right, y + down, border);
+    for (int32_t i = 0; i < 2 * values->w * values->h; i++) {
+        int32_t x = i / 2 % values->w, y = i / 2 / values->w, right = i % 2, down = !right;
+        int32_t a = value_at(values, x, y), b = value_at(values, x + right, y + down);
         if (a * b < 0 && abs(a - b) > threshold) {
             int second = abs(b) < abs(a);
-            marks[(y + (second ? down : 0)) * src->w + x + (second ? right : 0)] = 1;
+            marks[(y + (second ? down : 0)) * values->w + x + (second ? right : 0)] = 1;
         }
-        int32_t c = value_at(src, x + 2 * right, y + 2 * down, border);
+        int32_t c = value_at(values, x + 2 * right, y + 2 * down);
         if (b == 0 && a * c < 0 && abs(a - c) > threshold) {
-            marks[(y + down) * src->w + x + right] = 1;
+            marks[(y + down) * values->w + x + right] = 1;
         }
     }
+}
+
+/* The values come from iris_edge_gradient, which is tested by itself. */
+static void assert_crossings(const iris_image *src, const iris_edge_config *config, iris_border border)
+{
+    static uint8_t marks[SIDE_MAX * SIDE_MAX];
+    iris_image mask = mask_view(src->w, src->h), values = other_view(src, IRIS_GRAY_S16, 0);
+    size_t bytes = config->op == IRIS_EDGE_LOG ? IRIS_EDGE_LOG_SCRATCH_BYTES(src->w, config->sigma_q16)
+                                               : IRIS_EDGE_SCRATCH_BYTES(src->w);
+    int32_t radius = config->op == IRIS_EDGE_LOG ? IRIS_BLUR_RADIUS(config->sigma_q16) : 0;
+    int32_t margin = border.rule == IRIS_BORDER_SKIP ? radius + 2 : 0;
+    iris_scratch scratch = arena(bytes);
+    assert_int_equal(iris_edge_gradient(&values, NULL, src, config, border, &scratch), IRIS_OK);
+    assert_int_equal(iris_edge_mask(&mask, src, config, border, &scratch), IRIS_OK);
+    reference_crossings(marks, &values, config->threshold);
+    for (int32_t y = 0; y < src->h; y++) {
+        for (int32_t x = 0; x < (src->w + 31) / 32 * 32; x++) {
+            int evaluated = x >= margin && y >= margin && x < src->w - margin && y < src->h - margin;
+            assert_int_equal(bit(&mask, x, y), evaluated ? marks[y * src->w + x] : UNTOUCHED_BIT(x, y));
+        }
+    }
+    assert_around_untouched();
 }
 
 static void assert_mask(const iris_image *src, int op, iris_border border, int32_t threshold)
 {
-    static uint8_t marks[SIDE_MAX * SIDE_MAX];
     iris_image mask = mask_view(src->w, src->h);
     iris_edge_config config = config_of(op);
     config.threshold = threshold;
+    if (op == IRIS_EDGE_LAPLACIAN) {
+        assert_crossings(src, &config, border);
+        return;
+    }
     iris_scratch scratch = arena(IRIS_EDGE_SCRATCH_BYTES(src->w));
     assert_int_equal(iris_edge_mask(&mask, src, &config, border, &scratch), IRIS_OK);
-    if (op == IRIS_EDGE_LAPLACIAN) {
-        reference_crossings(marks, src, threshold, border);
-    }
     for (int32_t y = 0; y < src->h; y++) {
         for (int32_t x = 0; x < (src->w + 31) / 32 * 32; x++) {
-            int expected, evaluated = x < src->w && is_evaluated(src, op, x, y, border);
-            if (x < src->w && op == IRIS_EDGE_LAPLACIAN) {
-                int32_t margin = border.rule == IRIS_BORDER_SKIP ? 2 : 0;
-                evaluated = x >= margin && y >= margin && x < src->w - margin && y < src->h - margin;
-                expected = marks[y * src->w + x];
-            } else {
-                expected =
-                    abs(reference_dx(src, op, x, y, border)) + abs(reference_dy(src, op, x, y, border)) >
-                    threshold;
-            }
+            int evaluated = x < src->w && is_evaluated(src, op, x, y, border);
+            int expected =
+                abs(reference_dx(src, op, x, y, border)) + abs(reference_dy(src, op, x, y, border)) >
+                threshold;
             assert_int_equal(bit(&mask, x, y), evaluated ? expected : UNTOUCHED_BIT(x, y));
         }
     }
@@ -293,6 +308,113 @@ static void crossings_by_hand(void **state)
     }
 }
 
+/* The blurred picture in double precision, without end but for what weighs nothing, one pixel beyond the edge too. */
+static double smooth[(SIDE_MAX + 2) * (SIDE_MAX + 2)];
+
+static void make_smooth(const iris_image *src, double sigma, iris_border border)
+{
+    static double down[SIDE_MAX * 3 * SIDE_MAX];
+    int32_t reach = (int32_t)ceil(6 * sigma), wide = src->w + 2 * reach;
+    for (int32_t i = 0; i < src->h * wide; i++) {
+        double sum = 0, weights = 0;
+        for (int32_t k = -reach; k <= reach; k++) {
+            double weight = exp(-k * k / (2 * sigma * sigma));
+            sum += weight * pixel_beyond(src, i % wide - reach, i / wide + k, border);
+            weights += weight;
+        }
+        down[i] = sum / weights;
+    }
+    for (int32_t i = 0; i < (src->w + 2) * (src->h + 2); i++) {
+        int32_t x = place_beyond(i % (src->w + 2) - 1, src->w, border.rule);
+        int32_t y = place_beyond(i / (src->w + 2) - 1, src->h, border.rule);
+        double sum = 0, weights = 0;
+        for (int32_t k = -reach; k <= reach && x >= 0 && y >= 0; k++) {
+            double weight = exp(-k * k / (2 * sigma * sigma));
+            sum += weight * down[y * wide + x + k + reach];
+            weights += weight;
+        }
+        smooth[i] = weights > 0 ? sum / weights : border.value;
+    }
+}
+
+/* Values against doubles: the largest difference, in 32nds of a level; and a magnitude that fits them exactly. */
+static double log_error(const iris_image *src, const iris_edge_config *config, iris_border border)
+{
+    iris_image values = other_view(src, IRIS_GRAY_S16, 0), dst = other_view(src, IRIS_GRAY8, 1);
+    int32_t margin = border.rule == IRIS_BORDER_SKIP ? IRIS_BLUR_RADIUS(config->sigma_q16) + 1 : 0;
+    int32_t wide = src->w + 2;
+    double worst = 0;
+    iris_scratch scratch = arena(IRIS_EDGE_LOG_SCRATCH_BYTES(src->w, config->sigma_q16));
+    assert_int_equal(iris_edge_gradient(&values, NULL, src, config, border, &scratch), IRIS_OK);
+    assert_int_equal(scratch.peak, IRIS_EDGE_LOG_SCRATCH_BYTES(src->w, config->sigma_q16));
+    assert_int_equal(scratch.used, 0);
+    assert_int_equal(iris_edge_magnitude(&dst, src, config, border, &scratch), IRIS_OK);
+    make_smooth(src, config->sigma_q16 / 65536.0, border);
+    for (int32_t i = 0; i < src->w * src->h; i++) {
+        int32_t x = i % src->w, y = i / src->w;
+        int32_t value = ((const int16_t *)iris_image_row(&values, y))[x];
+        if (x < margin || y < margin || x >= src->w - margin || y >= src->h - margin) {
+            assert_int_equal(value, UNTOUCHED_S16);
+            assert_int_equal(pixel(&dst, x, y), UNTOUCHED);
+            continue;
+        }
+        const double *p = smooth + (y + 1) * wide + x + 1;
+        worst = fmax(worst, fabs(value - 32 * (p[-1] + p[1] + p[-wide] + p[wide] - 4 * p[0])));
+        double level = floor(abs(value) * (config->gain_q16 / 65536.0) + 0.5);
+        assert_int_equal(pixel(&dst, x, y), (int)fmin(level, 255));
+    }
+    assert_around_untouched();
+    return worst;
+}
+
+static void laplacian_of_gaussian(void **state)
+{
+    (void)state;
+    static const iris_q16 sigmas[] = {65536, 91750, 150000, 300000};
+    static const iris_size sizes[] = {{1, 1}, {9, 1}, {2, 12}, {33, 21}, {65, 40}};
+    for (int i = 0; i < 5; i++) {
+        for (int k = 0; k < 4 * 4; k++) {
+            iris_border border = {(iris_border_rule)(k % 4), 77};
+            iris_edge_config config = config_of(IRIS_EDGE_LOG);
+            config.sigma_q16 = sigmas[k / 4];
+            for (int kind = 0; kind < PICTURE_KINDS; kind++) {
+                iris_image src = picture_of(kind, sizes[i]);
+                config.threshold = 40 * kind;
+                config.gain_q16 = kind == 1 ? IRIS_EDGE_GAIN_END - 1 : 30000 * kind;
+                double error = log_error(&src, &config, border);
+                if (error > 32) { /* a level */
+                    fail_msg("off by %f at sigma %d, %dx%d, kind %d", error, config.sigma_q16, src.w, src.h,
+                             kind);
+                }
+                assert_crossings(&src, &config, border);
+            }
+        }
+    }
+}
+
+/* The extremes of 16 bits: single pixels, hardly smoothed. */
+static void laplacian_of_little_smoothing(void **state)
+{
+    (void)state;
+    iris_image src = picture_of(0, (iris_size){9, 9}), values = other_view(&src, IRIS_GRAY_S16, 0);
+    iris_edge_config config = config_of(IRIS_EDGE_LOG);
+    config.sigma_q16 = IRIS_BLUR_SIGMA_MIN;
+    iris_scratch scratch = arena(IRIS_EDGE_LOG_SCRATCH_BYTES(9, IRIS_BLUR_SIGMA_MIN));
+    for (int32_t i = 0; i < 81; i++) {
+        ((uint8_t *)iris_image_row(&src, i / 9))[i % 9] = (i / 9 + i % 9) % 2 ? 255 : 0;
+    }
+    assert_int_equal(iris_edge_gradient(&values, NULL, &src, &config, (iris_border){0}, &scratch), IRIS_OK);
+    for (int32_t i = 0; i < 49; i++) {
+        int32_t x = i % 7 + 1, y = i / 7 + 1;
+        assert_int_equal(((const int16_t *)iris_image_row(&values, y))[x],
+                         (x + y) % 2 ? -4 * 255 * 32 : 4 * 255 * 32);
+    }
+    config.gain_q16 = IRIS_EDGE_GAIN_END - 1;
+    iris_image dst = other_view(&src, IRIS_GRAY8, 0);
+    assert_int_equal(iris_edge_magnitude(&dst, &src, &config, (iris_border){0}, &scratch), IRIS_OK);
+    assert_int_equal(pixel(&dst, 4, 4), 255);
+}
+
 static void scratch_is_exact(void **state)
 {
     (void)state;
@@ -308,6 +430,9 @@ static void scratch_is_exact(void **state)
     assert_int_equal(iris_edge_magnitude(&gray, &src, NULL, border, &scratch), IRIS_ERR_SCRATCH);
     assert_int_equal(iris_edge_direction(&angle, &src, NULL, border, &scratch), IRIS_ERR_SCRATCH);
     assert_int_equal(iris_edge_mask(&mask, &src, NULL, border, &scratch), IRIS_ERR_SCRATCH);
+    iris_edge_config log = config_of(IRIS_EDGE_LOG);
+    scratch = arena(IRIS_EDGE_LOG_SCRATCH_BYTES(37, log.sigma_q16) - 1);
+    assert_int_equal(iris_edge_mask(&mask, &src, &log, border, &scratch), IRIS_ERR_SCRATCH);
     assert_int_equal(scratch.used, 0);
     assert_all_untouched();
     scratch = arena(bytes);
@@ -333,7 +458,7 @@ static void values_outside_their_range(void **state)
     assert_int_equal(mask_by(good, border), IRIS_OK);
     assert_int_equal(mask_by(good, (iris_border){(iris_border_rule)4, 0}), IRIS_ERR_ARG);
     assert_int_equal(mask_by(good, (iris_border){(iris_border_rule)-1, 0}), IRIS_ERR_ARG);
-    bad.op = (iris_edge_operator)OPERATORS;
+    bad.op = (iris_edge_operator)(IRIS_EDGE_LOG + 1);
     assert_int_equal(mask_by(bad, border), IRIS_ERR_ARG);
     bad.op = (iris_edge_operator)-1;
     assert_int_equal(mask_by(bad, border), IRIS_ERR_ARG);
@@ -348,6 +473,14 @@ static void values_outside_their_range(void **state)
     bad.threshold = IRIS_EDGE_THRESHOLD_END;
     assert_int_equal(mask_by(bad, border), IRIS_ERR_ARG);
     assert_all_untouched();
+    bad = config_of(IRIS_EDGE_LOG);
+    bad.sigma_q16 = 0;
+    assert_int_equal(mask_by(bad, border), IRIS_ERR_ARG);
+    bad.sigma_q16 = IRIS_BLUR_SIGMA_MAX + 1;
+    assert_int_equal(mask_by(bad, border), IRIS_ERR_ARG);
+    assert_all_untouched();
+    bad = good;
+    bad.sigma_q16 = -1; /* not looked at */
     bad.threshold = IRIS_EDGE_THRESHOLD_END - 1;
     bad.gain_q16 = IRIS_EDGE_GAIN_END - 1;
     assert_int_equal(mask_by(bad, border), IRIS_OK);
@@ -370,6 +503,9 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(iris_edge_gradient(&dx, &dx, &src, NULL, border, &scratch), IRIS_ERR_ALIAS);
     assert_int_equal(iris_edge_gradient(&dx, &angle, &src, NULL, border, &scratch), IRIS_ERR_FORMAT);
     assert_int_equal(iris_edge_gradient(&gray, NULL, &src, NULL, border, &scratch), IRIS_ERR_FORMAT);
+    assert_int_equal(iris_edge_direction(&angle, &src, &laplacian, border, &scratch), IRIS_ERR_ARG);
+    laplacian.op = IRIS_EDGE_LOG;
+    assert_int_equal(iris_edge_gradient(&dx, &dy, &src, &laplacian, border, &scratch), IRIS_ERR_ARG);
     assert_int_equal(iris_edge_direction(&angle, &src, &laplacian, border, &scratch), IRIS_ERR_ARG);
     assert_int_equal(iris_edge_direction(&dx, &src, NULL, border, &scratch), IRIS_ERR_FORMAT);
     assert_int_equal(iris_edge_direction(NULL, &src, NULL, border, &scratch), IRIS_ERR_ARG);
@@ -397,6 +533,8 @@ int main(void)
         cmocka_unit_test(a_photograph),
         cmocka_unit_test(a_square_by_hand),
         cmocka_unit_test(crossings_by_hand),
+        cmocka_unit_test(laplacian_of_gaussian),
+        cmocka_unit_test(laplacian_of_little_smoothing),
         cmocka_unit_test(scratch_is_exact),
         cmocka_unit_test(values_outside_their_range),
         cmocka_unit_test(wrong_calls_are_refused),

@@ -70,6 +70,14 @@ static void zero_crossings(void)
     (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
+static void zero_crossings_of_log(void)
+{
+    iris_edge_config config;
+    iris_edge_defaults(&config);
+    config.op = IRIS_EDGE_LOG;
+    (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
+}
+
 static void canny(void)
 {
     (void)iris_canny(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
@@ -93,6 +101,7 @@ const bench_case bench_edge[] = {
     {"edges, Sobel direction", direction, prepare_wide},
     {"edges, Sobel mask", mask, NULL},
     {"edges, Laplacian zero crossings", zero_crossings, NULL},
+    {"edges, LoG zero crossings, sigma 1.4", zero_crossings_of_log, NULL},
     {"edges, Canny, sigma 1.4", canny, NULL},
     {"edges, Canny, not smoothed", canny_unsmoothed, NULL},
     {0},
