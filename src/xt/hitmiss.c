@@ -90,8 +90,7 @@ static uint32_t find_word(const iris_rows *rows, const iris_hitmiss_pattern *pat
 iris_status iris_hitmiss_find(const iris_image *dst, const iris_image *src,
                               const iris_hitmiss_pattern *pattern, iris_border border, iris_scratch *scratch)
 {
-    if (!dst || !src || !pattern || !scratch || border.rule < IRIS_BORDER_REPLICATE ||
-        border.rule > IRIS_BORDER_SKIP) {
+    if (!dst || !src || !pattern || !scratch || (unsigned)border.rule > IRIS_BORDER_SKIP) {
         return IRIS_ERR_ARG;
     }
     iris_status status = check(dst, src, pattern);

@@ -1,7 +1,11 @@
-/* Morphology. */
+/* Morphology, patterns in masks, and distances. */
 #include "iris/xt/morph.h"
 
+#include <string.h>
+
 #include "calls.h"
+#include "iris/xt/distance.h"
+#include "iris/xt/hitmiss.h"
 
 typedef iris_status (*operation)(const iris_image *dst, const iris_image *src,
                                  const iris_morph_element *element, iris_border border,
@@ -79,9 +83,59 @@ static void blackhat(void)
     call(iris_morph_blackhat, 2);
 }
 
+static void distance(void)
+{
+    iris_size size = draw_size();
+    const iris_image *far = draw_output(IRIS_GRAY_U16, size);
+    const iris_image *mask = draw_input(IRIS_MASK1, size);
+    iris_distance_metric metric = (iris_distance_metric)draw_int(IRIS_DISTANCE_L1, IRIS_DISTANCE_CHAMFER);
+    CALL(iris_distance_transform(far, mask, metric));
+}
+
+static void pattern_read(void)
+{
+    char text[80];
+    int32_t length = draw_within(0, 20), row = draw_within(1, 10);
+    for (int32_t i = 0; i < length; i++) {
+        text[i] = (char)(draw_chance(60) ? draw_below(256)
+                                         : (uint32_t)(i % row == row - 1 ? '/' : "01."[draw_below(3)]));
+    }
+    text[length] = '\0';
+    iris_hitmiss_pattern *pattern = OR_NULL(draw_results(sizeof *pattern));
+    const char *given = OR_NULL(draw_given(text, strlen(text) + 1));
+    CALL(iris_hitmiss_pattern_read(pattern, given));
+}
+
+static void hitmiss(void)
+{
+    iris_hitmiss_pattern pattern = {
+        draw_int(1, IRIS_HITMISS_SIDE_MAX), draw_int(1, IRIS_HITMISS_SIDE_MAX), {0}, {0}};
+    for (int y = 0; y < IRIS_HITMISS_SIDE_MAX; y++) {
+        pattern.set[y] = (uint8_t)(draw_below(256) >> draw_below(8));
+        pattern.clear[y] = (uint8_t)(draw_below(256) >> draw_below(8));
+    }
+    int fits_here = pattern.w >= 1 && pattern.w <= IRIS_HITMISS_SIDE_MAX && pattern.h >= 1 &&
+                    pattern.h <= IRIS_HITMISS_SIDE_MAX;
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(IRIS_MASK1, size);
+    const iris_image *src = draw_input(IRIS_MASK1, size);
+    const iris_hitmiss_pattern *given = OR_NULL(draw_given(&pattern, sizeof pattern));
+    iris_border border = draw_border();
+    iris_scratch *scratch = draw_scratch(
+        fits_here ? IRIS_HITMISS_SCRATCH_BYTES(size.w, (uint32_t)pattern.w, (uint32_t)pattern.h) : 0);
+    CALL(iris_hitmiss_find(dst, src, given, border, scratch));
+}
+
 const random_call calls_morph[] = {
-    {"iris_morph_dilate", dilate},     {"iris_morph_erode", erode},
-    {"iris_morph_open", opened},       {"iris_morph_close", closed},
-    {"iris_morph_gradient", gradient}, {"iris_morph_tophat", tophat},
-    {"iris_morph_blackhat", blackhat}, {NULL, NULL},
+    {"iris_morph_dilate", dilate},
+    {"iris_morph_erode", erode},
+    {"iris_morph_open", opened},
+    {"iris_morph_close", closed},
+    {"iris_morph_gradient", gradient},
+    {"iris_morph_tophat", tophat},
+    {"iris_morph_blackhat", blackhat},
+    {"iris_distance_transform", distance},
+    {"iris_hitmiss_pattern_read", pattern_read},
+    {"iris_hitmiss_find", hitmiss},
+    {NULL, NULL},
 };

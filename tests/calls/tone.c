@@ -1,175 +1,212 @@
-/* Tones, histograms, and equalization. */
+/* Tone curves, adjustment of colors, and equalization. */
 #include "iris/xt/tone.h"
 
 #include "calls.h"
 #include "iris/xt/equalize.h"
-#include "iris/xt/histogram.h"
 
+/* A tone that a call may change. */
 static iris_tone *any_tone(void)
 {
-    return draw_chance(60) ? NULL : draw_given(NULL, sizeof(iris_tone));
+    return draw_results(sizeof(iris_tone));
 }
 
-static iris_tone *any_result(void)
+static const iris_tone *given_tone(void)
 {
-    return draw_chance(60) ? NULL : draw_results(sizeof(iris_tone));
+    return draw_given(NULL, sizeof(iris_tone));
 }
 
-static uint32_t *any_histogram(void)
+/* 256 counts: a few or many, small or huge; sometimes none. */
+static const uint32_t *any_histogram(void)
 {
     uint32_t histogram[256] = {0};
-    uint32_t one_in = draw_chance(2) ? 2 : 60;
-    uint32_t end = draw_chance(10) ? UINT32_MAX : 4000000;
-    for (int p = 0; p < 256; p++) {
-        histogram[p] = draw_chance(one_in) ? draw_below(end) : 0;
+    uint32_t sparse = 1 + draw_below(100), most = draw_chance(10) ? UINT32_MAX : 1 + draw_below(5000);
+    for (int i = 0; i < 256 && !draw_chance(200); i++) {
+        histogram[i] = draw_chance(sparse) ? draw_below(most) : 0;
     }
-    return draw_chance(60) ? NULL : draw_given(histogram, sizeof histogram);
+    return draw_given(histogram, sizeof histogram);
 }
 
-static void curve(void)
+static void identity(void)
 {
-    iris_tone *tone = any_result();
-    switch (draw_below(4)) {
-    case 0: {
-        int32_t amount = draw_int(-255, 255);
-        CALL(iris_tone_add(tone, amount));
-        break;
-    }
-    case 1: {
-        iris_q16 c = draw_int(0, 100 * IRIS_Q16_ONE);
-        CALL(iris_tone_compress(tone, c));
-        break;
-    }
-    case 2: {
-        iris_q16 gamma = draw_int(1, 5 * IRIS_Q16_ONE);
-        CALL(iris_tone_gamma(tone, gamma));
-        break;
-    }
-    default: {
-        int32_t low = draw_int(0, 128), high = draw_int(low, 255);
-        CALL(iris_tone_levels(tone, low, high));
-    }
-    }
+    iris_tone *tone = OR_NULL(any_tone());
+    CALL(iris_tone_identity(tone));
+}
+
+static void negate(void)
+{
+    iris_tone *tone = OR_NULL(any_tone());
+    CALL(iris_tone_negate(tone));
+}
+
+static void add(void)
+{
+    iris_tone *tone = OR_NULL(any_tone());
+    int32_t amount = draw_int(-255, 255);
+    CALL(iris_tone_add(tone, amount));
+}
+
+static void compress(void)
+{
+    iris_tone *tone = OR_NULL(any_tone());
+    iris_q16 c = draw_int(0, draw_chance(4) ? INT32_MAX : 2 * IRIS_TONE_COMPRESS_C);
+    CALL(iris_tone_compress(tone, c));
+}
+
+static void gamma_step(void)
+{
+    iris_tone *tone = OR_NULL(any_tone());
+    iris_q16 gamma = draw_int(1, draw_chance(4) ? INT32_MAX : 4 * IRIS_Q16_ONE);
+    CALL(iris_tone_gamma(tone, gamma));
 }
 
 static void stretch(void)
 {
-    iris_tone_segments by;
-    by.a = draw_int(0, 128);
-    by.b = draw_int(by.a, 255);
-    by.below = draw_int(INT32_MIN, INT32_MAX);
-    by.between = draw_int(-4 * IRIS_Q16_ONE, 4 * IRIS_Q16_ONE);
-    by.above = draw_int(INT32_MIN, INT32_MAX);
-    iris_tone *tone = any_result();
-    const iris_tone_segments *given = draw_chance(10) ? NULL : draw_given(&by, sizeof by);
+    iris_tone_segments segments;
+    iris_tone_segments_defaults(&segments);
+    segments.a = draw_int(0, 255);
+    segments.b = draw_int(segments.a > 0 ? segments.a : 0, 255);
+    if (draw_chance(2)) {
+        segments.below = draw_int(INT32_MIN, INT32_MAX);
+        segments.between = draw_int(INT32_MIN, INT32_MAX);
+        segments.above = draw_int(INT32_MIN, INT32_MAX);
+    }
+    iris_tone *tone = OR_NULL(any_tone());
+    const iris_tone_segments *given = draw_chance(10) ? NULL : draw_given(&segments, sizeof segments);
     CALL(iris_tone_stretch(tone, given));
 }
 
-static void by_histogram(void)
+static void levels(void)
 {
-    iris_tone *tone = any_result();
-    const uint32_t *histogram = any_histogram();
-    iris_q16 share = draw_int(0, IRIS_Q16_ONE / 2 - 1);
-    if (draw_chance(2)) {
-        CALL(iris_tone_stretch_share(tone, histogram, share));
-    } else {
-        CALL(iris_tone_equalize(tone, histogram));
-    }
+    iris_tone *tone = OR_NULL(any_tone());
+    int32_t low = draw_int(0, 255), high = draw_int(low > 0 ? low : 0, 255);
+    CALL(iris_tone_levels(tone, low, high));
 }
 
-static void pictures(void)
+static void stretch_share(void)
 {
-    iris_size size = draw_size();
+    iris_tone *tone = OR_NULL(any_tone());
+    const uint32_t *histogram = OR_NULL(any_histogram());
+    iris_q16 share = draw_int(0, 32767);
+    CALL(iris_tone_stretch_share(tone, histogram, share));
+}
+
+static void equalize_tone(void)
+{
+    iris_tone *tone = OR_NULL(any_tone());
+    const uint32_t *histogram = OR_NULL(any_histogram());
+    CALL(iris_tone_equalize(tone, histogram));
+}
+
+static void then(void)
+{
+    iris_tone *tone = OR_NULL(any_tone());
+    const iris_tone *next = draw_chance(4) ? tone : OR_NULL(given_tone());
+    CALL(iris_tone_then(tone, next));
+}
+
+static void apply(void)
+{
     iris_format format = draw_gray_or_color();
-    const iris_image *dst = draw_output(format, size), *src = draw_input(format, size);
-    const iris_tone *tone = any_tone(), *green = any_tone(), *blue = any_tone();
-    switch (draw_below(3)) {
-    case 0:
-        CALL(iris_tone_apply(dst, src, tone));
-        break;
-    case 1:
-        CALL(iris_tone_apply_rgb(dst, src, tone, green, blue));
-        break;
-    default:
-        CALL(iris_tone_apply_lightness(dst, src, tone));
-    }
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    const iris_tone *tone = OR_NULL(given_tone());
+    CALL(iris_tone_apply(dst, src, tone));
+}
+
+static void apply_rgb(void)
+{
+    iris_format format = draw_either(IRIS_RGB888, IRIS_BGR888);
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    const iris_tone *red = OR_NULL(given_tone());
+    const iris_tone *green = draw_chance(2) ? red : OR_NULL(given_tone());
+    const iris_tone *blue = draw_chance(2) ? red : OR_NULL(given_tone());
+    CALL(iris_tone_apply_rgb(dst, src, red, green, blue));
+}
+
+static void apply_lightness(void)
+{
+    iris_format format = draw_gray_or_color();
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    const iris_tone *tone = OR_NULL(given_tone());
+    CALL(iris_tone_apply_lightness(dst, src, tone));
+}
+
+static void row(void)
+{
+    int32_t n = draw_within(0, 70), count = draw_chance(20) ? draw_within(-1, 0) : n;
+    uint8_t *dst = OR_NULL(draw_results((size_t)n));
+    const uint8_t *src = draw_chance(3) ? dst : OR_NULL(draw_given(NULL, (size_t)n));
+    const iris_tone *tone = OR_NULL(given_tone());
+    CALL(iris_tone_row(dst, src, count, tone));
 }
 
 static void adjust(void)
 {
-    iris_size size = draw_size();
+    iris_adjustment by = {0};
+    int32_t *numbers[] = {&by.red, &by.green, &by.blue, &by.hue, &by.saturation, &by.lightness};
+    static const int32_t most[] = {255, 255, 255, 1000, 100, 100};
+    for (int i = 0; i < 6; i++) {
+        *numbers[i] = draw_chance(3)
+                          ? draw_chance(3) ? draw_int(-most[i], most[i]) : draw_within(-most[i], most[i])
+                          : 0;
+    }
     iris_format format = draw_either(IRIS_RGB888, IRIS_BGR888);
-    const iris_image *dst = draw_output(format, size), *src = draw_input(format, size);
-    iris_adjustment by;
-    by.red = draw_int(-255, 255);
-    by.green = draw_int(-255, 255);
-    by.blue = draw_int(-255, 255);
-    by.hue = draw_int(INT32_MIN, INT32_MAX);
-    by.saturation = draw_int(-100, 100);
-    by.lightness = draw_int(-100, 100);
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
     const iris_adjustment *given = OR_NULL(draw_given(&by, sizeof by));
     CALL(iris_adjust(dst, src, given));
 }
 
-static void histogram_of(void)
-{
-    static const iris_format formats[] = {IRIS_GRAY8, IRIS_MASK1, IRIS_RGB888, IRIS_BGR888, IRIS_HSL24};
-    iris_size size = draw_size();
-    iris_format format = formats[draw_below(5)];
-    uint32_t *histogram = OR_NULL(draw_results(256 * sizeof(uint32_t)));
-    const iris_image *src = draw_input(format, size);
-    const iris_image *mask = draw_chance(2) ? NULL : draw_input(IRIS_MASK1, size);
-    int32_t channel = format == IRIS_GRAY8 || format == IRIS_MASK1 ? draw_int(0, 0) : draw_int(-1, 2);
-    CALL(iris_histogram(histogram, src, channel, mask));
-}
-
-static void measured(void)
-{
-    const uint32_t *histogram = any_histogram();
-    iris_q16 share = draw_int(0, IRIS_Q16_ONE);
-    if (draw_chance(2)) {
-        uint8_t *level = OR_NULL(draw_results(1));
-        CALL(iris_histogram_percentile(level, histogram, share));
-    } else {
-        iris_histogram_statistics *is = OR_NULL(draw_results(sizeof *is));
-        CALL(iris_histogram_measure(is, histogram));
-    }
-}
-
 static void equalize(void)
 {
-    iris_size size = draw_size();
     iris_format format = draw_gray_or_color();
-    const iris_image *dst = draw_output(format, size), *src = draw_input(format, size);
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
     iris_scratch *scratch = draw_scratch(IRIS_EQUALIZE_SCRATCH_BYTES);
     CALL(iris_equalize(dst, src, scratch));
 }
 
 static void equalize_local(void)
 {
-    iris_size size = draw_size();
+    iris_equalize_local_config config;
+    iris_equalize_local_defaults(&config);
+    if (draw_chance(2)) {
+        config.tiles = draw_int(1, draw_chance(8) ? IRIS_EQUALIZE_TILES_MAX : 10);
+        config.limit_q16 = draw_int(0, 256 * IRIS_Q16_ONE);
+    }
     iris_format format = draw_gray_or_color();
-    const iris_image *dst = draw_output(format, size), *src = draw_input(format, size);
-    int32_t shorter = size.w < size.h ? size.w : size.h;
-    iris_equalize_local_config by;
-    by.tiles = draw_int(1, shorter < 2                         ? 1
-                           : shorter > IRIS_EQUALIZE_TILES_MAX ? IRIS_EQUALIZE_TILES_MAX
-                                                               : shorter);
-    by.limit_q16 = draw_int(0, 256 * IRIS_Q16_ONE);
-    const iris_equalize_local_config *given = draw_given(&by, sizeof by);
-    int fits = by.tiles > 0 && by.tiles <= IRIS_EQUALIZE_TILES_MAX;
-    iris_scratch *scratch = draw_scratch(fits ? IRIS_EQUALIZE_LOCAL_SCRATCH_BYTES(by.tiles) : 0);
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    const iris_equalize_local_config *given = draw_given(&config, sizeof config);
+    int fits = config.tiles >= 1 && config.tiles <= IRIS_EQUALIZE_TILES_MAX;
+    iris_scratch *scratch = draw_scratch(fits ? IRIS_EQUALIZE_LOCAL_SCRATCH_BYTES(config.tiles) : 0);
     CALL(iris_equalize_local(dst, src, given, scratch));
 }
 
 const random_call calls_tone[] = {
-    {"iris_tone_gamma and others", curve},
+    {"iris_tone_identity", identity},
+    {"iris_tone_negate", negate},
+    {"iris_tone_add", add},
+    {"iris_tone_compress", compress},
+    {"iris_tone_gamma", gamma_step},
     {"iris_tone_stretch", stretch},
-    {"iris_tone_equalize, iris_tone_stretch_share", by_histogram},
-    {"iris_tone_apply and others", pictures},
+    {"iris_tone_levels", levels},
+    {"iris_tone_stretch_share", stretch_share},
+    {"iris_tone_equalize", equalize_tone},
+    {"iris_tone_then", then},
+    {"iris_tone_apply", apply},
+    {"iris_tone_apply_rgb", apply_rgb},
+    {"iris_tone_apply_lightness", apply_lightness},
+    {"iris_tone_row", row},
     {"iris_adjust", adjust},
-    {"iris_histogram", histogram_of},
-    {"iris_histogram_measure, iris_histogram_percentile", measured},
     {"iris_equalize", equalize},
     {"iris_equalize_local", equalize_local},
     {NULL, NULL},

@@ -1,10 +1,25 @@
 #include "bench.h"
 
+#include "iris/xt/distance.h"
+#include "iris/xt/hitmiss.h"
 #include "iris/xt/morph.h"
 
 static const iris_border replicate;
 static const iris_morph_element square15 = {15, 15, IRIS_MORPH_SQUARE, 0};
 static const iris_morph_element cross3 = {3, 3, IRIS_MORPH_CROSS, 0};
+
+static iris_image far;
+static iris_hitmiss_pattern corner;
+
+static void prepare_far(void)
+{
+    far = bench_canvas(IRIS_GRAY_U16);
+}
+
+static void prepare_corner(void)
+{
+    (void)iris_hitmiss_pattern_read(&corner, ".1./011/00.");
+}
 
 static void dilate_3(void)
 {
@@ -55,10 +70,34 @@ static void mask_close_15(void)
                            &bench_frame.scratch);
 }
 
+static void find_corners(void)
+{
+    (void)iris_hitmiss_find(&bench_frame.mask_to, &bench_frame.mask, &corner, replicate,
+                            &bench_frame.scratch);
+}
+
+static void distance_l1(void)
+{
+    (void)iris_distance_transform(&far, &bench_frame.mask, IRIS_DISTANCE_L1);
+}
+
+static void distance_chamfer(void)
+{
+    (void)iris_distance_transform(&far, &bench_frame.mask, IRIS_DISTANCE_CHAMFER);
+}
+
 const bench_case bench_morph[] = {
-    {"dilate gray, 3x3", dilate_3, NULL},         {"dilate gray, 3x3 cross", dilate_cross, NULL},
-    {"erode gray, 15x15", erode_15, NULL},        {"open gray, 3x3", open_3, NULL},
-    {"gradient of gray, 3x3", gradient, NULL},    {"top-hat of gray, 15x15", tophat, NULL},
-    {"dilate a mask, 3x3", mask_dilate_3, NULL},  {"open a mask, 3x3", mask_open_3, NULL},
-    {"close a mask, 15x15", mask_close_15, NULL}, {0},
+    {"dilate gray, 3x3", dilate_3, NULL},
+    {"dilate gray, 3x3 cross", dilate_cross, NULL},
+    {"erode gray, 15x15", erode_15, NULL},
+    {"open gray, 3x3", open_3, NULL},
+    {"gradient of gray, 3x3", gradient, NULL},
+    {"top-hat of gray, 15x15", tophat, NULL},
+    {"dilate a mask, 3x3", mask_dilate_3, NULL},
+    {"open a mask, 3x3", mask_open_3, NULL},
+    {"close a mask, 15x15", mask_close_15, NULL},
+    {"hit-or-miss, 3x3", find_corners, prepare_corner},
+    {"distance, L1", distance_l1, prepare_far},
+    {"distance, chamfer 3-4", distance_chamfer, prepare_far},
+    {0},
 };
