@@ -14,7 +14,8 @@ extern "C" {
 /* What becomes of a picture
  *                 abc
  *                 def
- * in the order of the names below:
+ * in the order of the names below. Bit 2 of a turning transposes, then bit 0 exchanges left and right, and bit 1 top and
+ * bottom.
  *                                         ad    da    cf    fc
  *     abc   cba   def   fed               be    eb    be    eb
  *     def   fed   abc   cba               cf    fc    ad    da   */
@@ -35,8 +36,7 @@ typedef enum {
  * Any format whose pixels stand alone: gray, masks (bits past w are kept), colors. Two that share something:
  *   IRIS_YUYV, IRIS_UYVY   only IRIS_FLIP_VERTICAL (and IRIS_TURN_NONE): elsewhere pairs would fall apart
  *   IRIS_BAYER8_...        dst has the order that the filter has after turning: iris_turn_format
- * IRIS_ERR_ARG: null pointer or invalid view, or an unknown turning; IRIS_ERR_FORMAT: formats differ, or as said
- * above;
+ * IRIS_ERR_ARG: null pointer or invalid view, or an unknown turning; IRIS_ERR_FORMAT: formats differ, or as above;
  * IRIS_ERR_RANGE: wrong size; IRIS_ERR_ALIAS. O(w h). */
 iris_status iris_turn(const iris_image *dst, const iris_image *src, iris_turning turning);
 

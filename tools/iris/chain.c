@@ -134,6 +134,7 @@ static int run_one(job *run)
         strcmp(run->file, "-") == 0 && (!run->chain->output || strcmp(run->chain->output, "-") == 0);
     int exit_code = EXIT_DONE;
     iris_status status = frame_reader_open(reader, run->file);
+    reader->raw = run->chain->raw.format ? &run->chain->raw : NULL;
     do {
         if (status == IRIS_OK) {
             status = frame_reader_next(reader, &run->input, 0);
@@ -280,7 +281,12 @@ int chain_command(const operation *run, int argc, char **argv)
     operation_words words = {.argc = argc, .argv = argv, .stage = only};
     int exit_code = operation_parse(&words);
     if (exit_code == ARGS_GO) {
-        operation_chain chain = {run->name, only, 1, words.output, words.json};
+        operation_chain chain = {.command = run->name,
+                                 .stages = only,
+                                 .count = 1,
+                                 .output = words.output,
+                                 .raw = words.raw,
+                                 .json = words.json};
         exit_code = chain_run(&chain, &words.arguments);
     }
     chain_free(only, 1);

@@ -5,12 +5,14 @@
 #define IRIS_TOOL_CHAIN_H
 
 #include "operation.h"
+#include "raw_picture.h"
 
 typedef struct {
     const char *command;
     operation_stage *stages; /* parsed */
     int count;
     const char *output; /* of -o: a file, a folder, "-"; null: standard output unless it is a terminal */
+    raw_layout raw;     /* what the inputs are; zeroed: pictures */
     int json; /* one object per picture on standard output, with the members of the last stage's report */
 } operation_chain;
 

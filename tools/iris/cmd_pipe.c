@@ -5,10 +5,11 @@
 #include "commands.h"
 
 static const char help[] =
-    "usage: iris pipe \"OPERATION [options] | OPERATION [options] | ...\" [--json] IN... -o OUT\n\n"
+    "usage: iris pipe \"OPERATION [options] | OPERATION [options] | ...\" [--raw FORMAT:WxH]\n"
+    "                 [--json] IN... -o OUT\n\n"
     "Runs operations one after the other on each picture, without files between them.\n"
     "Every command that turns pictures into pictures is an operation, with its options\n"
-    "but without -o and --json. Values with spaces stand in quotes.\n\n"
+    "but without -o and --json. Values with spaces stand in quotes.\n\n" RAW_PICTURE_OPTION
     "  --json            one JSON object per picture, with what the last operation found\n"
     "  -o OUT            .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
     "                    (IN - and OUT -: every picture that comes, in turn)\n\n"
@@ -111,11 +112,16 @@ static int run_pipe(operation_chain *pipe, int count, char **words, const argume
 int cmd_pipe(int argc, char **argv)
 {
     operation_chain pipe = {.command = argv[0]};
-    const args_option options[] = {{"output", 'o', NULL, &pipe.output}, {"json", 0, &pipe.json, NULL}};
+    const char *raw = NULL;
+    const args_option options[] = {
+        {"output", 'o', NULL, &pipe.output}, {"raw", 0, NULL, &raw}, {"json", 0, &pipe.json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
         return exit_code;
+    }
+    if (raw && !raw_layout_parse(&pipe.raw, raw)) {
+        return EXIT_BAD_CALL;
     }
     if (args.operand_count == 0) {
         complain(NULL, "no operations (see --help)");

@@ -84,6 +84,8 @@ iris_status frame_reader_open(frame_reader *reader, const char *path)
     reader->kind = 0;
     reader->frames = 0;
     reader->size = (iris_size){0, 0};
+    reader->raw = NULL;
+    reader->raw_bytes = (picture_buffer){0};
     if (reader->fd < 0) {
         return finish(reader, IRIS_ERR_IO);
     }
@@ -144,8 +146,23 @@ iris_status frame_reader_skip(frame_reader *reader)
     return finish(reader, status);
 }
 
+static iris_status next_raw(frame_reader *reader, picture_buffer *picture)
+{
+    reader->size = reader->raw->size;
+    iris_status status = raw_picture_read(picture, &reader->raw_bytes, &reader->stream, reader->raw);
+    if (status == IRIS_OK) {
+        reader->is_gray = picture->image.format == IRIS_GRAY8;
+        reader->bits = reader->is_gray ? 8 : 24;
+        reader->frames++;
+    }
+    return finish(reader, status);
+}
+
 iris_status frame_reader_next(frame_reader *reader, picture_buffer *picture, iris_format format)
 {
+    if (reader->raw) {
+        return next_raw(reader, picture);
+    }
     iris_status status = frame_reader_begin(reader);
     if (status != IRIS_OK) {
         return status;
@@ -173,4 +190,5 @@ void frame_reader_close(frame_reader *reader)
         close(reader->fd);
         reader->close_fd = 0;
     }
+    picture_free(&reader->raw_bytes);
 }

@@ -9,6 +9,7 @@
 #include "iris/pnm.h"
 #include "iris/stream.h"
 #include "picture.h"
+#include "raw_picture.h"
 
 typedef struct {
     /* Of the picture that frame_reader_begin found: */
@@ -19,6 +20,9 @@ typedef struct {
     int is_gray;
     int top_down;
     int64_t frames; /* pictures read so far */
+
+    const raw_layout
+        *raw; /* set by who has opened the reader for frame_reader_next; null: BMP, PGM, or PPM */
 
     /* Private. */
     int fd, close_fd;
@@ -31,6 +35,7 @@ typedef struct {
     iris_pnm_reader pnm;
     iris_status status;
     char problem[120];
+    picture_buffer raw_bytes;
 } frame_reader;
 
 /* path "-" is standard input. IRIS_ERR_IO: it cannot be opened. Close the reader in any case. */

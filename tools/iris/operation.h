@@ -17,6 +17,7 @@
 #include "iris/scratch.h"
 #include "json.h"
 #include "picture.h"
+#include "raw_picture.h"
 
 /* The end of every help text: the options that all operations share. */
 #define OPERATION_OPTIONS                                                                                    \
@@ -64,6 +65,7 @@ typedef struct operation_words {
     int in_pipe;         /* 1: no operands, no -o, no --json */
     const char *output;  /* -o */
     int json;            /* --json */
+    raw_layout raw;      /* what parse has found the inputs to be: see raw_picture.h */
     arguments arguments; /* operands */
     operation_stage *stage;
     int exit_code; /* ARGS_GO, or why it ends here */
