@@ -1,5 +1,6 @@
 /* A hundred thousand random calls of every operation on pictures: whatever it is given, it returns a status, reads and writes
- * what is its own, and leaves the rest as it was. The same calls in every run; `random_calls N` makes call N alone. */
+ * what is its own, and leaves the rest as it was. The same calls in every run; `random_calls N` makes call N alone,
+ * and `random_calls N COUNT` COUNT from N on: other ones for as long as one likes. */
 #include <stdio.h>
 
 #include "calls/calls.h"
@@ -35,9 +36,9 @@ static void a_hundred_thousand_random_calls(void **state)
     for (uint32_t i = first_call; i < end_call; i++) {
         make_call(i);
     }
-    for (uint32_t f = 0; f < function_count && end_call == CALLS; f++) {
+    for (uint32_t f = 0; f < function_count; f++) {
         sum += accepted[f];
-        if (accepted[f] == 0) {
+        if (accepted[f] == 0 && end_call - first_call >= CALLS) {
             fail_msg("%s was never called rightly", functions[f]->name);
         }
     }
@@ -61,7 +62,7 @@ int main(int argc, char **argv)
     }
     if (argc > 1) {
         first_call = (uint32_t)strtoul(argv[1], NULL, 10);
-        end_call = first_call + 1;
+        end_call = first_call + (argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 1);
     }
 #if defined(__SANITIZE_ADDRESS__)
     __sanitizer_set_death_callback(say_which);

@@ -30,7 +30,7 @@ static iris_status sum_rows_begin(sum_rows *sum, const iris_image *src, int32_t 
 static iris_status check(const iris_image *dst, const iris_image *src, iris_border_rule rule)
 {
     if (iris_image_check(dst) != IRIS_OK || iris_image_check(src) != IRIS_OK ||
-        (int)rule < IRIS_BORDER_REPLICATE || (int)rule > IRIS_BORDER_SKIP) {
+        (unsigned)rule > IRIS_BORDER_SKIP) {
         return IRIS_ERR_ARG;
     }
     if (dst->format != src->format ||
