@@ -12,6 +12,7 @@ int cmd_pipe(int argc, char **argv);
 /* One line each, and its place in operations.c. */
 extern const operation operation_convert;
 extern const operation operation_gray;
+extern const operation operation_pyramid;
 extern const operation operation_threshold;
 extern const operation operation_negative;
 extern const operation operation_adjust;

@@ -6,6 +6,7 @@
 const operation *const operations[] = {
     &operation_convert,
     &operation_gray,
+    &operation_pyramid,
     &operation_threshold,
     &operation_negative,
     &operation_adjust,
