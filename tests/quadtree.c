@@ -358,7 +358,7 @@ static void means_by_hand(void **unused)
 {
     (void)unused;
     iris_quadtree_leaf two[] = {{0, 0, 2, 2, {10, 20, 30}, 0}, {2, 0, 1, 2, {40, 50, 60}, 9}};
-    iris_quadtree tree = {two, 2, 2, 2, 1, {3, 2}, IRIS_RGB888};
+    iris_quadtree tree = {two, 2, 2, 2, 0, 1, {3, 2}, IRIS_RGB888};
     iris_image image = view_of(3, 2, IRIS_BGR888, 0);
     memset(pixels, 7, sizeof pixels);
     assert_int_equal(iris_quadtree_means(&image, &tree), IRIS_OK);
@@ -402,31 +402,26 @@ static void means_reproduce_the_picture(void **unused)
     }
 }
 
-/* A view of a BMP or PGM of the shared data; data is null when there is none. */
-static iris_image load(const char *name)
+/* A 24-bit BMP without compression, or a PGM, of the shared data: pixels for free(); null when it is not there. */
+static uint8_t *load(iris_image *image, const char *name)
 {
     size_t bytes;
-    iris_image image = {0};
+    uint8_t *data = NULL;
     if (strstr(name, ".pgm")) {
         picture p = load_pnm(data_path(name));
-        if (p.pixels) {
-            image = (iris_image){p.pixels, p.w, p.w, p.h, IRIS_GRAY8};
-        }
-        return image;
+        *image = (iris_image){p.pixels, p.w, p.w, p.h, IRIS_GRAY8};
+        return p.pixels;
     }
-    uint8_t *file = load_file(data_path(name), &bytes);
-    if (file) { /* 24 bits, bottom-up, without compression */
+    data = load_file(data_path(name), &bytes);
+    if (data) {
         int32_t w, h, start;
-        memcpy(&start, file + 10, 4);
-        memcpy(&w, file + 18, 4);
-        memcpy(&h, file + 22, 4);
+        memcpy(&start, data + 10, 4);
+        memcpy(&w, data + 18, 4);
+        memcpy(&h, data + 22, 4);
         ptrdiff_t stride = (3 * w + 3) / 4 * 4;
-        uint8_t *data = malloc((size_t)stride * (size_t)h);
-        memcpy(data, file + start, (size_t)stride * (size_t)h);
-        image = (iris_image){data, stride, w, h, IRIS_BGR888};
-        free(file);
+        *image = (iris_image){data + start + (h - 1) * stride, -stride, w, h, IRIS_BGR888};
     }
-    return image;
+    return data;
 }
 
 static void real_pictures(void **unused)
@@ -436,8 +431,9 @@ static void real_pictures(void **unused)
                                         "edges/classic/camera_256.pgm", "edges/classic/moon_256.pgm",
                                         "colour/fruits_256.bmp",        "colour/baboon_256.bmp"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        iris_image image = load(names[i]);
-        if (!image.data) {
+        iris_image image = {0};
+        uint8_t *data = load(&image, names[i]);
+        if (!data) {
             print_message("[  SKIPPED ] %s is not there\n", names[i]);
             skip();
         }
@@ -454,7 +450,7 @@ static void real_pictures(void **unused)
         }
         free(room);
         free(right);
-        free(image.data);
+        free(data);
     }
 }
 
@@ -462,7 +458,7 @@ static void wrong_calls_are_refused(void **unused)
 {
     (void)unused;
     iris_image image = view_of(20, 20, IRIS_GRAY8, 0), bad;
-    iris_quadtree tree = {leaves, 5, -1, -2, -3, {-4, -5}, IRIS_MASK1}, no_room = tree;
+    iris_quadtree tree = {leaves, 5, -1, -2, -3, -4, {-5, -6}, IRIS_MASK1}, no_room = tree;
     const iris_quadtree before = tree;
     memset(leaves, 0x5A, sizeof leaves);
     assert_int_equal(iris_quadtree_segment(NULL, &image, NULL), IRIS_ERR_ARG);
@@ -485,30 +481,70 @@ static void wrong_calls_are_refused(void **unused)
     assert_memory_equal(&tree, &before, sizeof tree);
     assert_int_equal(leaves[0].x, 0x5A5A);
     iris_quadtree_defaults(NULL);
+}
 
-    iris_quadtree_leaf one = {0, 0, 20, 20, {9, 9, 9}, 0};
-    iris_quadtree good = {&one, 1, 1, 1, 1, {20, 20}, IRIS_GRAY8}, other = good;
+static void trees_are_checked(void **unused)
+{
+    (void)unused;
+    iris_image image = view_of(20, 20, IRIS_GRAY8, 0);
+    iris_quadtree_leaf two[] = {{0, 0, 12, 20, {9, 9, 9}, 0}, {12, 0, 8, 20, {9, 9, 9}, 0}};
+    const iris_quadtree good = {two, 2, 2, 2, 0, 1, {20, 20}, IRIS_GRAY8};
+    iris_quadtree bad = good;
     memset(pixels, 3, sizeof pixels);
+    assert_int_equal(iris_quadtree_check(&good), IRIS_OK);
+    assert_int_equal(iris_quadtree_check(NULL), IRIS_ERR_ARG);
     assert_int_equal(iris_quadtree_means(NULL, &good), IRIS_ERR_ARG);
     assert_int_equal(iris_quadtree_means(&image, NULL), IRIS_ERR_ARG);
-    other.leaves = NULL;
-    assert_int_equal(iris_quadtree_means(&image, &other), IRIS_ERR_ARG);
-    other = good;
-    other.count = -1;
-    assert_int_equal(iris_quadtree_means(&image, &other), IRIS_ERR_ARG);
-    other = good;
-    other.size.w = 19;
-    assert_int_equal(iris_quadtree_means(&image, &other), IRIS_ERR_RANGE);
-    static const iris_quadtree_leaf outside[] = {{1, 0, 20, 20, {9, 9, 9}, 0},
-                                                 {0, 1, 20, 20, {9, 9, 9}, 0},
-                                                 {0, 0, 0, 20, {9, 9, 9}, 0},
-                                                 {0, 0, 20, 0, {9, 9, 9}, 0},
-                                                 {65535, 65535, 65535, 65535, {9, 9, 9}, 0}};
+    bad.leaves = NULL;
+    assert_int_equal(iris_quadtree_means(&image, &bad), IRIS_ERR_ARG);
+    bad = good;
+    bad.count = 0;
+    assert_int_equal(iris_quadtree_means(&image, &bad), IRIS_ERR_ARG);
+    bad.count = 1; /* half of the picture */
+    assert_int_equal(iris_quadtree_means(&image, &bad), IRIS_ERR_RANGE);
+    bad = good;
+    bad.format = IRIS_HSL24;
+    assert_int_equal(iris_quadtree_means(&image, &bad), IRIS_ERR_FORMAT);
+    for (int32_t side = 0; side <= 65536; side += side == 0    ? 19
+                                                  : side == 19 ? 2
+                                                  : side == 21 ? 32747
+                                                               : 32768) {
+        bad = good;
+        bad.size.w = side;
+        assert_int_equal(iris_quadtree_check(&bad), IRIS_ERR_RANGE);
+        bad = good;
+        bad.size.h = side;
+        assert_int_equal(iris_quadtree_means(&image, &bad), IRIS_ERR_RANGE);
+    }
+    static const iris_quadtree_leaf outside[] = {
+        {13, 0, 8, 20, {9, 9, 9}, 0}, {12, 1, 8, 20, {9, 9, 9}, 0},
+        {12, 0, 0, 20, {9, 9, 9}, 0}, {12, 0, 8, 0, {9, 9, 9}, 0},
+        {11, 0, 9, 20, {9, 9, 9}, 0}, {65535, 65535, 65535, 65535, {9, 9, 9}, 0}};
     for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
-        one = outside[i];
+        two[1] = outside[i];
+        assert_int_equal(iris_quadtree_check(&good), IRIS_ERR_RANGE);
         assert_int_equal(iris_quadtree_means(&image, &good), IRIS_ERR_RANGE);
     }
+    two[1] = (iris_quadtree_leaf){12, 0, 8, 20, {9, 9, 9}, 0};
+    image.w = 19;
+    assert_int_equal(iris_quadtree_means(&image, &good), IRIS_ERR_RANGE);
+    image.format = IRIS_MASK1;
+    assert_int_not_equal(iris_quadtree_means(&image, &good), IRIS_OK);
     assert_int_equal(pixels[0], 3);
+    image = view_of(20, 20, IRIS_GRAY8, 0);
+    assert_int_equal(iris_quadtree_means(&image, &good), IRIS_OK);
+    assert_int_equal(pixels[0], 9);
+
+    /* 2^32 pixels too many: four times the largest picture, 8 rows, and 4 pixels. */
+    iris_quadtree_leaf many[7];
+    for (int i = 0; i < 7; i++) {
+        many[i] =
+            (iris_quadtree_leaf){0, 0, i == 6 ? 4 : 32767, i == 6 ? 1 : i == 5 ? 8 : 32767, {9, 9, 9}, 0};
+    }
+    bad = (iris_quadtree){many, 7, 7, 7, 0, 1, {32767, 32767}, IRIS_GRAY8};
+    assert_int_equal(iris_quadtree_check(&bad), IRIS_ERR_RANGE);
+    bad.count = 1;
+    assert_int_equal(iris_quadtree_check(&bad), IRIS_OK);
 }
 
 int main(void)
@@ -526,6 +562,7 @@ int main(void)
         cmocka_unit_test(means_reproduce_the_picture),
         cmocka_unit_test(real_pictures),
         cmocka_unit_test(wrong_calls_are_refused),
+        cmocka_unit_test(trees_are_checked),
     };
     return cmocka_run_group_tests_name("quadtree", tests, NULL, NULL);
 }

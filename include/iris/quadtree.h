@@ -42,7 +42,8 @@ typedef struct {
 
     int32_t count;      /* leaves of the tree */
     int32_t wanted;     /* leaves of the tree as it was asked for: the same, but for IRIS_ERR_FULL */
-    int32_t least_side; /* that the tree was made with */
+    int32_t tolerance;  /* that the tree was made with */
+    int32_t least_side; /* the same; larger than asked for after IRIS_ERR_FULL */
     iris_size size;     /* of the picture */
     iris_format format; /* of the picture */
 } iris_quadtree;
@@ -61,10 +62,15 @@ void iris_quadtree_defaults(iris_quadtree_config *config);
 iris_status iris_quadtree_segment(iris_quadtree *tree, const iris_image *image,
                                   const iris_quadtree_config *config);
 
+/* Is this a tree that functions may work on: are its leaves inside of the picture, and their areas that of the picture in
+ * sum? For trees that do not come from iris_quadtree_segment as they are.
+ * IRIS_ERR_ARG: null pointer, or a count below 1; IRIS_ERR_FORMAT: none that iris_quadtree_segment takes;
+ * IRIS_ERR_RANGE: a side of the picture outside 1..IRIS_SIDE_MAX, or leaves that do not fit. O(leaves). */
+iris_status iris_quadtree_check(const iris_quadtree *tree);
+
 /* The block mean picture: each leaf filled with its mean. dst has the size of the tree's picture; IRIS_GRAY8 for a gray
  * tree, IRIS_RGB888 or IRIS_BGR888 for any. It may be the picture that the tree is of.
- * IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: another size, or a leaf that is empty or
- * reaches out of the picture. O(pixels). */
+ * Errors of iris_image_check and iris_quadtree_check; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: another size. O(pixels). */
 iris_status iris_quadtree_means(const iris_image *dst, const iris_quadtree *tree);
 
 #ifdef __cplusplus

@@ -3,6 +3,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "mean.h"
+
 /* Sides of up to 32767 pixels are halved at most 15 times; each time up to three blocks wait for the first. */
 #define DEPTH_MAX 15
 #define WAITING   (3 * DEPTH_MAX + 1)
@@ -63,20 +65,13 @@ static int32_t look(levels *seen, const iris_image *image, const block *b, int32
     return range;
 }
 
-/* sum / area, rounded half up. Division of 64 bits is slow on small processors, and seldom needed. */
-static uint8_t mean_of(uint64_t sum, uint32_t area)
-{
-    sum += area / 2;
-    return (uint8_t)(sum <= UINT32_MAX ? (uint32_t)sum / area : sum / area);
-}
-
 static iris_quadtree_leaf leaf_of(const block *b, const levels *seen, int32_t range, iris_format format)
 {
     uint32_t area = (uint32_t)b->w * b->h;
     iris_quadtree_leaf leaf = {b->x, b->y, b->w, b->h, {0, 0, 0}, (uint8_t)range};
-    leaf.mean.r = mean_of(seen->sum[0], area);
-    leaf.mean.g = format == IRIS_GRAY8 ? leaf.mean.r : mean_of(seen->sum[1], area);
-    leaf.mean.b = format == IRIS_GRAY8 ? leaf.mean.r : mean_of(seen->sum[2], area);
+    leaf.mean.r = iris_mean_u8(seen->sum[0], area);
+    leaf.mean.g = format == IRIS_GRAY8 ? leaf.mean.r : iris_mean_u8(seen->sum[1], area);
+    leaf.mean.b = format == IRIS_GRAY8 ? leaf.mean.r : iris_mean_u8(seen->sum[2], area);
     if (format == IRIS_BGR888) {
         uint8_t red = leaf.mean.b;
         leaf.mean.b = leaf.mean.r;
@@ -159,6 +154,7 @@ iris_status iris_quadtree_segment(iris_quadtree *tree, const iris_image *image,
         by.least_side *= 2; /* at the latest, the whole picture is one block */
         tree->count = walk(tree, image, by.tolerance, by.least_side, tree->capacity + 1);
     }
+    tree->tolerance = by.tolerance;
     tree->least_side = by.least_side;
     tree->size = (iris_size){image->w, image->h};
     tree->format = image->format;
@@ -180,30 +176,43 @@ static void fill(uint8_t *row, const iris_quadtree_leaf *leaf, iris_format forma
     }
 }
 
-/* Is every leaf in the picture? */
-static bool is_inside(const iris_quadtree *tree)
+iris_status iris_quadtree_check(const iris_quadtree *tree)
 {
+    if (!tree || !tree->leaves || tree->count < 1) {
+        return IRIS_ERR_ARG;
+    }
+    if (!is_known(tree->format)) {
+        return IRIS_ERR_FORMAT;
+    }
+    iris_size size = tree->size;
+    if (size.w < 1 || size.w > IRIS_SIDE_MAX || size.h < 1 || size.h > IRIS_SIDE_MAX) {
+        return IRIS_ERR_RANGE;
+    }
+    uint32_t left = (uint32_t)size.w * (uint32_t)size.h; /* pixels of the picture without a leaf */
     for (int32_t i = 0; i < tree->count; i++) {
         const iris_quadtree_leaf *leaf = &tree->leaves[i];
-        if (leaf->w == 0 || leaf->h == 0 || leaf->x + leaf->w > tree->size.w ||
-            leaf->y + leaf->h > tree->size.h) {
-            return false;
+        uint32_t area = (uint32_t)leaf->w * leaf->h;
+        if (leaf->x + leaf->w > size.w || leaf->y + leaf->h > size.h || area == 0 || area > left) {
+            return IRIS_ERR_RANGE;
         }
+        left -= area;
     }
-    return true;
+    return left == 0 ? IRIS_OK : IRIS_ERR_RANGE;
 }
 
 iris_status iris_quadtree_means(const iris_image *dst, const iris_quadtree *tree)
 {
-    if (!dst || !tree || !tree->leaves || tree->count < 0) {
-        return IRIS_ERR_ARG;
+    iris_status status = dst ? iris_image_check(dst) : IRIS_ERR_ARG;
+    if (status == IRIS_OK) {
+        status = iris_quadtree_check(tree);
     }
-    iris_status status = iris_image_check(dst);
-    if (status != IRIS_OK || !is_known(dst->format) ||
-        (dst->format == IRIS_GRAY8 && tree->format != IRIS_GRAY8)) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    if (status != IRIS_OK) {
+        return status;
     }
-    if (dst->w != tree->size.w || dst->h != tree->size.h || !is_inside(tree)) {
+    if (!is_known(dst->format) || (dst->format == IRIS_GRAY8 && tree->format != IRIS_GRAY8)) {
+        return IRIS_ERR_FORMAT;
+    }
+    if (dst->w != tree->size.w || dst->h != tree->size.h) {
         return IRIS_ERR_RANGE;
     }
     int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;

@@ -2,8 +2,10 @@
 
 #include "iris/integral.h"
 #include "iris/quadtree.h"
+#include "iris/xt/region.h"
 
 static iris_quadtree tree;
+static iris_region_table regions;
 static iris_image integral;
 
 static void prepare_tree(void)
@@ -11,6 +13,12 @@ static void prepare_tree(void)
     tree.capacity = bench_frame.gray.w * bench_frame.gray.h / 8;
     tree.leaves = iris_scratch_take(&bench_frame.scratch, (size_t)tree.capacity * sizeof *tree.leaves);
     (void)iris_quadtree_segment(&tree, &bench_frame.gray, NULL);
+}
+
+static void prepare_regions(void)
+{
+    prepare_tree();
+    regions.labels = iris_scratch_take(&bench_frame.scratch, (size_t)tree.count * sizeof *regions.labels);
 }
 
 static void prepare_integral(void)
@@ -31,6 +39,11 @@ static void segment_color(void)
 static void means(void)
 {
     (void)iris_quadtree_means(&bench_frame.gray_to, &tree);
+}
+
+static void merge(void)
+{
+    (void)iris_region_merge(&regions, &tree, NULL, &bench_frame.scratch);
 }
 
 static void integral_sums(void)
@@ -55,5 +68,6 @@ const bench_case bench_quadtree[] = {
     {"quadtree of gray", segment, prepare_tree},
     {"quadtree of RGB", segment_color, prepare_tree},
     {"quadtree, block means", means, prepare_tree},
+    {"regions of a quadtree", merge, prepare_regions},
     {0},
 };
