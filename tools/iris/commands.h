@@ -30,6 +30,7 @@ extern const operation operation_tophat;
 extern const operation operation_blackhat;
 extern const operation operation_hitmiss;
 extern const operation operation_distance;
+extern const operation operation_skeleton;
 
 /* All of them, in the order of iris --help; ends with null. */
 extern const operation *const operations[];

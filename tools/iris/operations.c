@@ -24,6 +24,7 @@ const operation *const operations[] = {
     &operation_blackhat,
     &operation_hitmiss,
     &operation_distance,
+    &operation_skeleton,
     NULL,
 };
 
