@@ -1,7 +1,7 @@
 /* Local equalization: a curve for each tile, and a walk over the pixels between the tiles' centers. */
 #include "iris/xt/equalize.h"
 
-#include "../foundation/hsl_fine.h"
+#include "../foundation/lightness.h"
 #include "iris/xt/histogram.h"
 #include "tone_picture.h"
 
@@ -142,17 +142,16 @@ static void mix_gray(uint8_t *dst, const uint8_t *src, int32_t n, const mixture 
     }
 }
 
-static void mix_lightness(uint8_t *dst, const uint8_t *src, int32_t n, int red, const mixture *of, ramp r)
+static void mix_lightness(uint8_t *dst, const uint8_t *src, int32_t n, const mixture *of, ramp r)
 {
     for (int32_t i = 0; i < 3 * n; i += 3, ramp_next(&r)) {
-        iris_hsl_fine hsl = iris_hsl_fine_of(iris_tone_color_at(src + i, red));
-        int32_t l = hsl.l_q20 >> 20, left = ONE - r.weight;
+        iris_hsl_extent extent = iris_hsl_extent_of(src[i], src[i + 1], src[i + 2]);
+        int32_t l = extent.sum, left = ONE - r.weight;
         int32_t above =
             iris_tone_twice_at(of->above_left, l) * left + iris_tone_twice_at(of->above_right, l) * r.weight;
         int32_t below =
             iris_tone_twice_at(of->below_left, l) * left + iris_tone_twice_at(of->below_right, l) * r.weight;
-        hsl.l_q20 = (int32_t)((mix(of, above, below) + 2) >> 2);
-        iris_tone_color_put(dst + i, iris_hsl_fine_color(hsl), red);
+        iris_lightness_set(dst + i, src + i, extent, (int32_t)((mix(of, above, below) + 2) >> 2));
     }
 }
 
@@ -177,8 +176,7 @@ static void mix_row(const iris_image *dst, const iris_image *src, int32_t y, con
         if (bytes == 1) {
             mix_gray(to + start, from + start, n, &of, ramp_at(&across, across.first));
         } else {
-            mix_lightness(to + start, from + start, n, src->format == IRIS_RGB888 ? 0 : 2, &of,
-                          ramp_at(&across, across.first));
+            mix_lightness(to + start, from + start, n, &of, ramp_at(&across, across.first));
         }
     }
 }

@@ -1,7 +1,7 @@
 /* Tones on pictures. */
 #include "tone_picture.h"
 
-#include "../foundation/hsl_fine.h"
+#include "../foundation/lightness.h"
 #include "iris/xt/tone.h"
 
 iris_status iris_tone_check(const iris_image *dst, const iris_image *src)
@@ -27,9 +27,19 @@ iris_status iris_tone_check(const iris_image *dst, const iris_image *src)
     return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
 }
 
+/* Four at a time, all read before one is written: dst and src may lie so that a processor takes them for the same. */
 static void row_apply(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n)
 {
-    for (int32_t i = 0; i < n; i++) {
+    int32_t i = 0;
+    for (; i + 4 <= n; i += 4) {
+        uint8_t first = level[src[i]], second = level[src[i + 1]];
+        uint8_t third = level[src[i + 2]], fourth = level[src[i + 3]];
+        dst[i] = first;
+        dst[i + 1] = second;
+        dst[i + 2] = third;
+        dst[i + 3] = fourth;
+    }
+    for (; i < n; i++) {
         dst[i] = level[src[i]];
     }
 }
@@ -94,14 +104,13 @@ iris_status iris_tone_apply_lightness(const iris_image *dst, const iris_image *s
     if (status != IRIS_OK) {
         return status;
     }
-    int red = src->format == IRIS_RGB888 ? 0 : 2;
     for (int32_t y = 0; y < src->h; y++) {
         uint8_t *to = (uint8_t *)iris_image_row(dst, y);
         const uint8_t *from = (const uint8_t *)iris_image_row(src, y);
         for (int32_t i = 0; i < 3 * src->w; i += 3) {
-            iris_hsl_fine hsl = iris_hsl_fine_of(iris_tone_color_at(from + i, red));
-            hsl.l_q20 = iris_tone_twice_at(tone->level, hsl.l_q20 >> 20) << 20;
-            iris_tone_color_put(to + i, iris_hsl_fine_color(hsl), red);
+            iris_hsl_extent extent = iris_hsl_extent_of(from[i], from[i + 1], from[i + 2]);
+            int32_t l = iris_tone_twice_at(tone->level, extent.sum);
+            iris_lightness_set(to + i, from + i, extent, l << 20);
         }
     }
     return IRIS_OK;

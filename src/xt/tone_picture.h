@@ -2,25 +2,10 @@
 #ifndef IRIS_XT_TONE_PICTURE_H
 #define IRIS_XT_TONE_PICTURE_H
 
-#include "iris/color.h"
 #include "iris/image.h"
 
 /* dst and src: IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888, both the same, of one size, the same picture or disjoint. */
 iris_status iris_tone_check(const iris_image *dst, const iris_image *src);
-
-/* Red is byte `red` of a pixel, 0 or 2. */
-static inline iris_color iris_tone_color_at(const uint8_t *pixel, int red)
-{
-    iris_color color = {pixel[red], pixel[1], pixel[2 - red]};
-    return color;
-}
-
-static inline void iris_tone_color_put(uint8_t *pixel, iris_color color, int red)
-{
-    pixel[red] = color.r;
-    pixel[1] = color.g;
-    pixel[2 - red] = color.b;
-}
 
 /* Twice the level that a curve of 256 gives at l / 2, l from 0 to 510: half way between two entries, their mean. */
 static inline int32_t iris_tone_twice_at(const uint8_t level[256], int32_t l)

@@ -158,6 +158,9 @@ static void compression_against_doubles(void **state)
         }
     }
     tone = fresh();
+    assert_int_equal(iris_tone_compress(&tone, 3096502), IRIS_OK);
+    assert_int_equal(tone.level[158], 239); /* 239.49999999975 */
+    tone = fresh();
     assert_int_equal(iris_tone_compress(&tone, INT32_MAX), IRIS_OK);
     assert_int_equal(tone.level[0], 0);
     assert_int_equal(tone.level[1], 255);
@@ -181,6 +184,9 @@ static void gamma_against_doubles(void **state)
                              rounded(255 * pow(before.level[p] / 255.0, (double)gamma / 65536)));
         }
     }
+    tone = fresh();
+    assert_int_equal(iris_tone_gamma(&tone, 665922), IRIS_OK);
+    assert_int_equal(tone.level[229], 86); /* 85.500000018 */
     tone = fresh();
     assert_int_equal(iris_tone_gamma(&tone, INT32_MAX), IRIS_OK);
     assert_int_equal(tone.level[254], 0);

@@ -99,7 +99,7 @@ iris_status iris_tone_apply_rgb(const iris_image *dst, const iris_image *src, co
 
 /* On the lightness alone: of HSL as color.h defines it, hue and saturation are kept. Lightness has 511 steps there; half way
  * between two entries of the tone it takes their mean. Identity for the identity. Of IRIS_GRAY8 the same as
- * iris_tone_apply. Two divisions for every pixel that is not gray. */
+ * iris_tone_apply. One division per pixel of color. */
 iris_status iris_tone_apply_lightness(const iris_image *dst, const iris_image *src, const iris_tone *tone);
 
 /* n bytes of a row, as they arrive. dst may be src, else they are disjoint.
