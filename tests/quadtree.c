@@ -534,14 +534,18 @@ static void trees_are_checked(void **unused)
     image = view_of(20, 20, IRIS_GRAY8, 0);
     assert_int_equal(iris_quadtree_means(&image, &good), IRIS_OK);
     assert_int_equal(pixels[0], 9);
+}
 
+static void areas_do_not_wrap(void **unused)
+{
+    (void)unused;
     /* 2^32 pixels too many: four times the largest picture, 8 rows, and 4 pixels. */
     iris_quadtree_leaf many[7];
     for (int i = 0; i < 7; i++) {
         many[i] =
             (iris_quadtree_leaf){0, 0, i == 6 ? 4 : 32767, i == 6 ? 1 : i == 5 ? 8 : 32767, {9, 9, 9}, 0};
     }
-    bad = (iris_quadtree){many, 7, 7, 7, 0, 1, {32767, 32767}, IRIS_GRAY8};
+    iris_quadtree bad = {many, 7, 7, 7, 0, 1, {32767, 32767}, IRIS_GRAY8};
     assert_int_equal(iris_quadtree_check(&bad), IRIS_ERR_RANGE);
     bad.count = 1;
     assert_int_equal(iris_quadtree_check(&bad), IRIS_OK);
@@ -563,6 +567,7 @@ int main(void)
         cmocka_unit_test(real_pictures),
         cmocka_unit_test(wrong_calls_are_refused),
         cmocka_unit_test(trees_are_checked),
+        cmocka_unit_test(areas_do_not_wrap),
     };
     return cmocka_run_group_tests_name("quadtree", tests, NULL, NULL);
 }

@@ -1,12 +1,12 @@
-/* Medians as networks of least and greatest, once for all ports. Included after the includer has said what a value is (one
- * byte, or a vector of them):
+/* Medians as networks of least and greatest, once for all ports. Included after the includer has said what a value is
+ * (one byte, or a vector of them):
  *
  *     typedef ... median_value;
  *     static inline median_value median_least(median_value a, median_value b);
  *     static inline median_value median_greatest(median_value a, median_value b);
  *
- * A network is right when it is right for values that are 0 or 1 (Knuth, The Art of Computer Programming, 5.3.4); the test
- * of the kernels goes through all of these. What a network computes in vain, compilers leave out.
+ * A network is right when it is right for values that are 0 or 1 (Knuth, The Art of Computer Programming, 5.3.4); the
+ * test of the kernels goes through all of these. What a network computes in vain, compilers leave out.
  */
 #ifndef IRIS_KERNEL_MEDIAN_H
 #define IRIS_KERNEL_MEDIAN_H

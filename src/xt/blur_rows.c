@@ -51,8 +51,8 @@ iris_status iris_blur_rows_begin(iris_blur_rows *blur, const iris_image *src, ir
     return IRIS_OK;
 }
 
-/* Samples from `from` on, n of them, of the row that is the sum from top to bottom. At most 255 * 2^bits before and 255 * 64
- * after the shift. */
+/* Samples from `from` on, n of them, of the row that is the sum from top to bottom. At most 255 * 2^bits before and
+ * 255 * 64 after the shift. */
 static void sum_down(const iris_blur_rows *blur, int32_t from, int32_t n)
 {
     int32_t sums[TILE];

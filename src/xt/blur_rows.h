@@ -31,8 +31,8 @@ typedef struct {
 iris_status iris_blur_rows_begin(iris_blur_rows *blur, const iris_image *src, iris_q16 sigma_q16,
                                  iris_border border, iris_scratch *scratch);
 
-/* Writes the next row, w * channels bytes; the pixels that IRIS_BORDER_SKIP leaves out are not written. Called once for each
- * row of src. O(radius * w * channels). */
+/* Writes the next row, w * channels bytes; the pixels that IRIS_BORDER_SKIP leaves out are not written. Called once
+ * for each row of src. O(radius * w * channels). */
 void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst);
 
 /* The same with 6 fraction bits, 0 to 255 * 64: for what amplifies small differences. */

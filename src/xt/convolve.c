@@ -6,10 +6,11 @@
 
 #define TILE 64 /* samples that are summed at a time */
 
-/* Rounded division by a constant. A sum starts as divisor / 2 + bias * divisor, so that what is left to do is to round down:
- * n / divisor is n * factor >> shift, with factor = 2^shift / divisor rounded up and 2^(shift - 31) the largest power of two
- * that is not above divisor. The excess of factor * divisor over 2^shift is below divisor (0 for powers of two), and
- * the quotient is exact while n times the excess is below 2^shift (Granlund and Montgomery, 1994). */
+/* Rounded division by a constant. A sum starts as divisor / 2 + bias * divisor, so that what is left to do is to
+ * round down: n / divisor is n * factor >> shift, with factor = 2^shift / divisor rounded up and 2^(shift - 31) the
+ * largest power of two that is not above divisor. The excess of factor * divisor over 2^shift is below divisor (0 for
+ * powers of two), and the quotient is exact while n times the excess is below 2^shift (Granlund and Montgomery,
+ * 1994). */
 typedef struct {
     int32_t start, divisor;
     uint32_t factor;

@@ -5,8 +5,8 @@
 #include "iris/border.h"
 #include "iris/image.h"
 
-/* A filter from src to dst, of any formats: the errors in the order argument, invalid view, size, aliasing. dst may be src
- * when their formats are the same. */
+/* A filter from src to dst, of any formats: the errors in the order argument, invalid view, size, aliasing. dst may
+ * be src when their formats are the same. */
 iris_status iris_filter_check(const iris_image *dst, const iris_image *src, iris_border border);
 
 /* The same, and both are IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888. */

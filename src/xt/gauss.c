@@ -2,7 +2,8 @@
 
 #define ONE_Q31 ((uint32_t)1 << 31)
 
-/* exp(-t) is the product of exp(-2^i) over the set bits of t from 16 down to 1/1024, times 1 - x + x^2 / 2 of the rest. */
+/* exp(-t) is the product of exp(-2^i) over the set bits of t from 16 down to 1/1024, times 1 - x + x^2 / 2 of the
+ * rest. */
 static uint32_t exp_minus_q31(uint64_t t_q32)
 {
     static const uint32_t power[15] = {242u,        720401u,     39332535u,   290630308u,  790015084u,

@@ -10,8 +10,8 @@ static int32_t greatest_divisor(int32_t a, int32_t b)
     return a < 0 ? -a : a;
 }
 
-/* The first row that is not all zeros, divided by what its values have in common, is the row: the factor of any row that is a
- * multiple of it is then a whole number. */
+/* The first row that is not all zeros, divided by what its values have in common, is the row: the factor of any row
+ * that is a multiple of it is then a whole number. */
 int iris_rank_one(int32_t *column, int32_t *row, const int32_t *values, int32_t rows, int32_t columns)
 {
     int32_t pivot = 0;
@@ -30,7 +30,7 @@ int iris_rank_one(int32_t *column, int32_t *row, const int32_t *values, int32_t 
         row[c] = first[c] / divisor;
     }
     for (int32_t r = 0; r < rows; r++) {
-        column[r] = values[r * columns + pivot % columns] / row[pivot % columns];
+        column[r] = (int32_t)((int64_t)values[r * columns + pivot % columns] * divisor / values[pivot]);
         for (int32_t c = 0; c < columns; c++) {
             if ((int64_t)column[r] * row[c] != values[r * columns + c]) {
                 return 0;

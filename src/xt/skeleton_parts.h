@@ -68,9 +68,10 @@ typedef struct {
     uint8_t *lives;     /* of each word: the sub-passes that are to look at it */
 } iris_thinning;
 
-/* Takes IRIS_SKELETON_SCRATCH_BYTES. Margins are zero, pixels undefined. IRIS_ERR_SCRATCH. */
+/* Takes IRIS_SKELETON_SCRATCH_BYTES. All is zero. IRIS_ERR_SCRATCH. */
 iris_status iris_thinning_begin(iris_thinning *thinning, iris_size size, iris_scratch *scratch);
 
+/* What is new in the mask will be looked at. */
 void iris_thinning_load(iris_thinning *thinning, const iris_image *mask);
 void iris_thinning_store(const iris_image *mask, const iris_thinning *thinning);
 

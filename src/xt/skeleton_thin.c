@@ -5,8 +5,9 @@
 /* A one in each of eight bytes. */
 #define EIGHT_ONES UINT64_C(0x0101010101010101)
 
-/* The sides that a sub-pass peels. */
+/* The sides that a sub-pass peels, and how many there are to a pass at most. */
 typedef enum { NORTH, SOUTH, EAST, WEST, ZHANG_SUEN_FIRST, ZHANG_SUEN_SECOND } side;
+#define SIDES 4
 
 iris_status iris_thinning_begin(iris_thinning *thinning, iris_size size, iris_scratch *scratch)
 {
@@ -17,7 +18,7 @@ iris_status iris_thinning_begin(iris_thinning *thinning, iris_size size, iris_sc
     if (!memory) {
         return IRIS_ERR_SCRATCH;
     }
-    memset(memory, 0, 2 * plane * sizeof *memory);
+    memset(memory, 0, IRIS_SKELETON_SCRATCH_BYTES(size.w, size.h));
     thinning->w = size.w;
     thinning->h = size.h;
     thinning->stride = (int32_t)stride;
@@ -29,10 +30,30 @@ iris_status iris_thinning_begin(iris_thinning *thinning, iris_size size, iris_sc
     return IRIS_OK;
 }
 
+/* Lets the words with a pixel that touches one of `bits`, of the word of `lives`, be looked at again. */
+static inline void wake(uint8_t *lives, ptrdiff_t stride, uint64_t bits, uint8_t count)
+{
+    lives[-stride] = lives[0] = lives[stride] = count;
+    if (bits & 1) {
+        lives[-stride - 1] = lives[-1] = lives[stride - 1] = count;
+    }
+    if (bits >> 63) {
+        lives[-stride + 1] = lives[1] = lives[stride + 1] = count;
+    }
+}
+
 void iris_thinning_load(iris_thinning *thinning, const iris_image *mask)
 {
     for (int32_t y = 0; y < thinning->h; y++) {
-        iris_skeleton_load(thinning->words + (ptrdiff_t)y * thinning->stride, mask, y);
+        ptrdiff_t row = (ptrdiff_t)y * thinning->stride;
+        iris_skeleton_load(thinning->snapshot + row, mask, y);
+        for (ptrdiff_t i = row; i < row + thinning->stride; i++) {
+            uint64_t changed = thinning->words[i] ^ thinning->snapshot[i];
+            if (changed != 0) {
+                thinning->words[i] = thinning->snapshot[i];
+                wake(thinning->lives + i, thinning->stride, changed, SIDES);
+            }
+        }
     }
 }
 
@@ -92,18 +113,6 @@ static inline uint64_t removable(const uint64_t *word, int32_t stride, side from
 static inline uint64_t was_open(const uint64_t *word, int32_t stride)
 {
     return ~(word[-stride] & word[stride] & iris_skeleton_east(word) & iris_skeleton_west(word));
-}
-
-/* Lets the words with a pixel that touches one of `bits`, of the word of `lives`, be looked at again. */
-static inline void wake(uint8_t *lives, ptrdiff_t stride, uint64_t bits, uint8_t count)
-{
-    lives[-stride] = lives[0] = lives[stride] = count;
-    if (bits & 1) {
-        lives[-stride - 1] = lives[-1] = lives[stride - 1] = count;
-    }
-    if (bits >> 63) {
-        lives[-stride + 1] = lives[1] = lives[stride + 1] = count;
-    }
 }
 
 /* What a sub-pass has found and not removed yet, because words behind it see the old pixels. */
@@ -196,17 +205,14 @@ static int peel(iris_thinning t, side from, int spares, uint8_t lives)
 
 int32_t iris_thinning_run(iris_thinning *thinning, iris_skeleton_method method)
 {
-    static const side sides[2][5] = {{NORTH, SOUTH, EAST, WEST}, {ZHANG_SUEN_FIRST, ZHANG_SUEN_SECOND}};
+    static const side sides[2][SIDES] = {{NORTH, SOUTH, EAST, WEST}, {ZHANG_SUEN_FIRST, ZHANG_SUEN_SECOND}};
     int exact = method == IRIS_SKELETON_EXACT;
-    int count = exact ? 4 : 2;
-    size_t words = (size_t)thinning->stride * (size_t)thinning->h;
-    size_t plane = words + 2 * (size_t)thinning->stride + 2;
-    memset(thinning->lives - thinning->stride - 1, 0, plane + 7);
-    memset(thinning->lives, count, words);
+    int count = exact ? SIDES : 2;
+    size_t bytes = (size_t)thinning->stride * (size_t)thinning->h * sizeof *thinning->words;
     for (int32_t pass = 0;; pass++) {
         int changed = 0, spares = exact && pass % 3 != 0;
         if (spares) {
-            memcpy(thinning->snapshot, thinning->words, words * sizeof *thinning->words);
+            memcpy(thinning->snapshot, thinning->words, bytes);
         }
         for (int i = 0; i < count; i++) {
             changed |= peel(*thinning, sides[!exact][i], spares, (uint8_t)count);

@@ -1,6 +1,7 @@
 #include "digest.h"
 
 #include "iris/xt/blur.h"
+#include "iris/xt/unsharp.h"
 
 static void gaussian(iris_format format, int32_t channels, int32_t w, int32_t h)
 {
@@ -38,9 +39,22 @@ static void box(void)
     }
 }
 
+static void unsharp(void)
+{
+    iris_image src = digest_picture(IRIS_RGB888, 11, 20);
+    iris_image dst = digest_canvas(IRIS_RGB888, 11, 20);
+    for (int i = 0; i < 4; i++) {
+        iris_unsharp_config config = {40000 + 30000 * i, 30000 << i, 3 * i};
+        iris_scratch scratch = digest_scratch(IRIS_UNSHARP_SCRATCH_BYTES(11, 3, config.sigma_q16));
+        digest_number(iris_unsharp(&dst, &src, &config, (iris_border){(iris_border_rule)i, 90}, &scratch));
+        digest_view(&dst);
+    }
+}
+
 const digest_operation digest_blur[] = {
     {"blur.gaussian_gray", gaussian_gray},
     {"blur.gaussian_rgb", gaussian_rgb},
     {"blur.box", box},
+    {"unsharp.rgb", unsharp},
     {NULL, NULL},
 };

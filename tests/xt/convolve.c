@@ -417,7 +417,8 @@ static void log_generator(void **state)
         double mean = 0;
         assert_true(IRIS_KERNEL_LOG_VALUES(sigma) == side * side && side <= IRIS_KERNEL_SIDE_MAX);
         assert_int_equal(iris_kernel_log(&k, values, sigma), IRIS_OK);
-        assert_true(k.rows == side && k.columns == side && k.divisor == 1 << (sigma < 65536 ? 19 : 22) && fits(&k));
+        assert_true(k.rows == side && k.columns == side && k.divisor == 1 << (sigma < 65536 ? 19 : 22) &&
+                    fits(&k));
         for (int pass = 0; pass < 2; pass++) {
             for (int i = 0; i < side * side; i++) {
                 int x = i % side - radius, y = i / side - radius;

@@ -44,6 +44,7 @@ int main(int argc, char **argv)
     score_hsl(&s);
     score_bmp(&s);
     score_quadtree(&s);
+    score_skeleton(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;
