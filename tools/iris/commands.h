@@ -31,6 +31,10 @@ extern const operation operation_blackhat;
 extern const operation operation_hitmiss;
 extern const operation operation_distance;
 extern const operation operation_skeleton;
+extern const operation operation_blur;
+extern const operation operation_median;
+extern const operation operation_unsharp;
+extern const operation operation_convolve;
 
 /* All of them, in the order of iris --help; ends with null. */
 extern const operation *const operations[];
