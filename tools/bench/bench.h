@@ -15,8 +15,8 @@
 
 typedef struct {
     const char *name;
-    void (*run)(void);
-    void (*prepare)(void); /* behind bench_frame_begin, not measured; may be null */
+    iris_status (*run)(void); /* what the operation returned; an error of its arguments ends the measuring */
+    void (*prepare)(void);    /* behind bench_frame_begin, not measured; may be null */
 } bench_case;
 
 /* bench_<module>: each ends with a null name. */
@@ -42,6 +42,12 @@ void bench_frame_begin(iris_size size, void *memory, size_t bytes);
 /* One more zeroed picture, out of the memory that is left; of the frame's size, or of any. */
 iris_image bench_canvas(iris_format format);
 iris_image bench_canvas_of(iris_format format, int32_t w, int32_t h);
+
+/* Was there nothing to measure? */
+static inline int bench_refused(iris_status status)
+{
+    return status >= IRIS_ERR_ARG && status <= IRIS_ERR_SCRATCH;
+}
 
 /* Where the counter's lines go. */
 void target_print(const char *text);

@@ -5,42 +5,42 @@
 
 static const iris_border replicate;
 
-static void gaussian_1(void)
+static iris_status gaussian_1(void)
 {
-    (void)iris_blur_gaussian(&bench_frame.gray_to, &bench_frame.gray, IRIS_Q16_ONE, replicate,
-                             &bench_frame.scratch);
+    return iris_blur_gaussian(&bench_frame.gray_to, &bench_frame.gray, IRIS_Q16_ONE, replicate,
+                              &bench_frame.scratch);
 }
 
-static void gaussian_4(void)
+static iris_status gaussian_4(void)
 {
-    (void)iris_blur_gaussian(&bench_frame.gray_to, &bench_frame.gray, 4 * IRIS_Q16_ONE, replicate,
-                             &bench_frame.scratch);
+    return iris_blur_gaussian(&bench_frame.gray_to, &bench_frame.gray, 4 * IRIS_Q16_ONE, replicate,
+                              &bench_frame.scratch);
 }
 
-static void gaussian_color(void)
+static iris_status gaussian_color(void)
 {
-    (void)iris_blur_gaussian(&bench_frame.rgb_to, &bench_frame.rgb, IRIS_Q16_ONE, replicate,
-                             &bench_frame.scratch);
+    return iris_blur_gaussian(&bench_frame.rgb_to, &bench_frame.rgb, IRIS_Q16_ONE, replicate,
+                              &bench_frame.scratch);
 }
 
-static void box_3(void)
+static iris_status box_3(void)
 {
-    (void)iris_blur_box(&bench_frame.gray_to, &bench_frame.gray, 3, replicate, &bench_frame.scratch);
+    return iris_blur_box(&bench_frame.gray_to, &bench_frame.gray, 3, replicate, &bench_frame.scratch);
 }
 
-static void box_15(void)
+static iris_status box_15(void)
 {
-    (void)iris_blur_box(&bench_frame.gray_to, &bench_frame.gray, 15, replicate, &bench_frame.scratch);
+    return iris_blur_box(&bench_frame.gray_to, &bench_frame.gray, 15, replicate, &bench_frame.scratch);
 }
 
-static void median_3(void)
+static iris_status median_3(void)
 {
-    (void)iris_median(&bench_frame.gray_to, &bench_frame.gray, 3, replicate, &bench_frame.scratch);
+    return iris_median(&bench_frame.gray_to, &bench_frame.gray, 3, replicate, &bench_frame.scratch);
 }
 
-static void median_5(void)
+static iris_status median_5(void)
 {
-    (void)iris_median(&bench_frame.gray_to, &bench_frame.gray, 5, replicate, &bench_frame.scratch);
+    return iris_median(&bench_frame.gray_to, &bench_frame.gray, 5, replicate, &bench_frame.scratch);
 }
 
 const bench_case bench_blur[] = {

@@ -38,65 +38,65 @@ static void prepare_chroma(void)
                  iris_format_row_bytes(IRIS_UV88, chroma.w) * (size_t)chroma.h);
 }
 
-static void luma_of_rgb(void)
+static iris_status luma_of_rgb(void)
 {
-    (void)iris_color_gray(&bench_frame.gray_to, &bench_frame.rgb, IRIS_GRAY_LUMA);
+    return iris_color_gray(&bench_frame.gray_to, &bench_frame.rgb, IRIS_GRAY_LUMA);
 }
 
-static void luma_of_bgr(void)
+static iris_status luma_of_bgr(void)
 {
-    (void)iris_color_gray(&bench_frame.gray_to, &bgr, IRIS_GRAY_LUMA);
+    return iris_color_gray(&bench_frame.gray_to, &bgr, IRIS_GRAY_LUMA);
 }
 
-static void rgb_of_bgr(void)
+static iris_status rgb_of_bgr(void)
 {
-    (void)iris_color_convert(&bench_frame.rgb_to, &bgr);
+    return iris_color_convert(&bench_frame.rgb_to, &bgr);
 }
 
-static void rgb_of_bgr_in_place(void)
+static iris_status rgb_of_bgr_in_place(void)
 {
-    (void)iris_color_convert(&bench_frame.rgb, &bgr);
+    return iris_color_convert(&bench_frame.rgb, &bgr);
 }
 
-static void gray_of_yuyv(void)
+static iris_status gray_of_yuyv(void)
 {
-    (void)iris_color_gray(&bench_frame.gray_to, &yuyv, IRIS_GRAY_LUMA);
+    return iris_color_gray(&bench_frame.gray_to, &yuyv, IRIS_GRAY_LUMA);
 }
 
-static void rgb_of_yuyv(void)
+static iris_status rgb_of_yuyv(void)
 {
-    (void)iris_color_convert(&bench_frame.rgb_to, &yuyv);
+    return iris_color_convert(&bench_frame.rgb_to, &yuyv);
 }
 
-static void hsl_of_rgb(void)
+static iris_status hsl_of_rgb(void)
 {
-    (void)iris_color_convert(&hsl, &bench_frame.rgb);
+    return iris_color_convert(&hsl, &bench_frame.rgb);
 }
 
-static void rgb_of_hsl(void)
+static iris_status rgb_of_hsl(void)
 {
-    (void)iris_color_convert(&bench_frame.rgb_to, &hsl);
+    return iris_color_convert(&bench_frame.rgb_to, &hsl);
 }
 
-static void rgb_of_nv12(void)
+static iris_status rgb_of_nv12(void)
 {
-    (void)iris_nv12_convert(&bench_frame.rgb_to, &bench_frame.gray, &chroma);
+    return iris_nv12_convert(&bench_frame.rgb_to, &bench_frame.gray, &chroma);
 }
 
-static void rgb_of_bayer(void)
+static iris_status rgb_of_bayer(void)
 {
-    (void)iris_bayer_convert(&bench_frame.rgb_to, &bayer);
+    return iris_bayer_convert(&bench_frame.rgb_to, &bayer);
 }
 
-static void gray_of_bayer(void)
+static iris_status gray_of_bayer(void)
 {
-    (void)iris_bayer_convert(&bench_frame.gray_to, &bayer);
+    return iris_bayer_convert(&bench_frame.gray_to, &bayer);
 }
 
-static void hsl_range(void)
+static iris_status hsl_range(void)
 {
     const iris_hsl_range range = {30, 80, 30, 100, 20, 90};
-    (void)iris_hsl_range_mask(&bench_frame.mask_to, &bench_frame.rgb, &range);
+    return iris_hsl_range_mask(&bench_frame.mask_to, &bench_frame.rgb, &range);
 }
 
 const bench_case bench_color[] = {

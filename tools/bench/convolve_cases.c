@@ -48,29 +48,29 @@ static void prepare_half(void)
     half = bench_canvas_of(IRIS_GRAY8, (bench_frame.gray.w + 1) / 2, (bench_frame.gray.h + 1) / 2);
 }
 
-static void correlate(void)
+static iris_status correlate(void)
 {
-    (void)iris_correlate(&bench_frame.gray_to, &bench_frame.gray, &kernel, replicate, &bench_frame.scratch);
+    return iris_correlate(&bench_frame.gray_to, &bench_frame.gray, &kernel, replicate, &bench_frame.scratch);
 }
 
-static void correlate_color(void)
+static iris_status correlate_color(void)
 {
-    (void)iris_correlate(&bench_frame.rgb_to, &bench_frame.rgb, &kernel, replicate, &bench_frame.scratch);
+    return iris_correlate(&bench_frame.rgb_to, &bench_frame.rgb, &kernel, replicate, &bench_frame.scratch);
 }
 
-static void correlate_wide(void)
+static iris_status correlate_wide(void)
 {
-    (void)iris_correlate(&wide, &bench_frame.gray, &kernel, replicate, &bench_frame.scratch);
+    return iris_correlate(&wide, &bench_frame.gray, &kernel, replicate, &bench_frame.scratch);
 }
 
-static void pyramid_down(void)
+static iris_status pyramid_down(void)
 {
-    (void)iris_pyramid_down(&half, &bench_frame.gray, replicate, &bench_frame.scratch);
+    return iris_pyramid_down(&half, &bench_frame.gray, replicate, &bench_frame.scratch);
 }
 
-static void pyramid_up(void)
+static iris_status pyramid_up(void)
 {
-    (void)iris_pyramid_up(&bench_frame.gray_to, &half, replicate, &bench_frame.scratch);
+    return iris_pyramid_up(&bench_frame.gray_to, &half, replicate, &bench_frame.scratch);
 }
 
 const bench_case bench_convolve[] = {

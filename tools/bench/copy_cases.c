@@ -17,64 +17,64 @@ static void prepare_turned(void)
     mask_turned = bench_canvas_of(IRIS_MASK1, bench_frame.gray.h, bench_frame.gray.w);
 }
 
-static void copy(void)
+static iris_status copy(void)
 {
-    (void)iris_copy(&bench_frame.gray_to, &bench_frame.gray);
+    return iris_copy(&bench_frame.gray_to, &bench_frame.gray);
 }
 
-static void fill(void)
+static iris_status fill(void)
 {
-    (void)iris_fill(&bench_frame.rgb_to, 0x102030);
+    return iris_fill(&bench_frame.rgb_to, 0x102030);
 }
 
-static void mask_copy(void)
+static iris_status mask_copy(void)
 {
-    (void)iris_mask_copy(&bench_frame.mask_to, &bench_frame.mask, 0, 0);
+    return iris_mask_copy(&bench_frame.mask_to, &bench_frame.mask, 0, 0);
 }
 
-static void channel_extract(void)
+static iris_status channel_extract(void)
 {
-    (void)iris_channel_extract(&bench_frame.gray_to, &bench_frame.rgb, 1);
+    return iris_channel_extract(&bench_frame.gray_to, &bench_frame.rgb, 1);
 }
 
-static void channel_insert(void)
+static iris_status channel_insert(void)
 {
-    (void)iris_channel_insert(&bench_frame.rgb_to, &bench_frame.gray, 1);
+    return iris_channel_insert(&bench_frame.rgb_to, &bench_frame.gray, 1);
 }
 
-static void resize_nearest(void)
+static iris_status resize_nearest(void)
 {
-    (void)iris_resize_nearest(&bench_frame.gray_to, &small);
+    return iris_resize_nearest(&bench_frame.gray_to, &small);
 }
 
-static void resize_bilinear(void)
+static iris_status resize_bilinear(void)
 {
-    (void)iris_resize_bilinear(&bench_frame.gray_to, &small);
+    return iris_resize_bilinear(&bench_frame.gray_to, &small);
 }
 
-static void resize_area(void)
+static iris_status resize_area(void)
 {
-    (void)iris_resize_area(&small, &bench_frame.gray);
+    return iris_resize_area(&small, &bench_frame.gray);
 }
 
-static void flip(void)
+static iris_status flip(void)
 {
-    (void)iris_turn(&bench_frame.gray_to, &bench_frame.gray, IRIS_FLIP_HORIZONTAL);
+    return iris_turn(&bench_frame.gray_to, &bench_frame.gray, IRIS_FLIP_HORIZONTAL);
 }
 
-static void flip_mask(void)
+static iris_status flip_mask(void)
 {
-    (void)iris_turn(&bench_frame.mask_to, &bench_frame.mask, IRIS_FLIP_HORIZONTAL);
+    return iris_turn(&bench_frame.mask_to, &bench_frame.mask, IRIS_FLIP_HORIZONTAL);
 }
 
-static void quarter_turn(void)
+static iris_status quarter_turn(void)
 {
-    (void)iris_turn(&turned, &bench_frame.gray, IRIS_TURN_90);
+    return iris_turn(&turned, &bench_frame.gray, IRIS_TURN_90);
 }
 
-static void quarter_turn_mask(void)
+static iris_status quarter_turn_mask(void)
 {
-    (void)iris_turn(&mask_turned, &bench_frame.mask, IRIS_TURN_90);
+    return iris_turn(&mask_turned, &bench_frame.mask, IRIS_TURN_90);
 }
 
 const bench_case bench_copy[] = {

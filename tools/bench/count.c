@@ -37,12 +37,15 @@ int main(void)
                 c->prepare();
             }
             START();
-            c->run();
+            iris_status status = c->run();
             STOP();
             print_number(W * H);
             target_print(" ");
             target_print(c->name);
-            target_print("\n");
+            target_print(bench_refused(status) ? " is refused\n" : "\n");
+            if (bench_refused(status)) {
+                return 1;
+            }
         }
     }
     return 0;

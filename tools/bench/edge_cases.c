@@ -13,82 +13,82 @@ static void prepare_wide(void)
     angles = bench_canvas(IRIS_GRAY_U16);
 }
 
-static void magnitude(iris_edge_operator op)
+static iris_status magnitude(iris_edge_operator op)
 {
     iris_edge_config config;
     iris_edge_defaults(&config);
     config.op = op;
-    (void)iris_edge_magnitude(&bench_frame.gray_to, &bench_frame.gray, &config, replicate,
-                              &bench_frame.scratch);
+    return iris_edge_magnitude(&bench_frame.gray_to, &bench_frame.gray, &config, replicate,
+                               &bench_frame.scratch);
 }
 
-static void sobel(void)
+static iris_status sobel(void)
 {
-    magnitude(IRIS_EDGE_SOBEL);
+    return magnitude(IRIS_EDGE_SOBEL);
 }
 
-static void prewitt(void)
+static iris_status prewitt(void)
 {
-    magnitude(IRIS_EDGE_PREWITT);
+    return magnitude(IRIS_EDGE_PREWITT);
 }
 
-static void isotropic(void)
+static iris_status isotropic(void)
 {
-    magnitude(IRIS_EDGE_ISOTROPIC);
+    return magnitude(IRIS_EDGE_ISOTROPIC);
 }
 
-static void roberts(void)
+static iris_status roberts(void)
 {
-    magnitude(IRIS_EDGE_ROBERTS);
+    return magnitude(IRIS_EDGE_ROBERTS);
 }
 
-static void laplacian(void)
+static iris_status laplacian(void)
 {
-    magnitude(IRIS_EDGE_LAPLACIAN);
+    return magnitude(IRIS_EDGE_LAPLACIAN);
 }
 
-static void gradient(void)
+static iris_status gradient(void)
 {
-    (void)iris_edge_gradient(&dx, &dy, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_edge_gradient(&dx, &dy, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
-static void direction(void)
+static iris_status direction(void)
 {
-    (void)iris_edge_direction(&angles, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_edge_direction(&angles, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
-static void mask(void)
+static iris_status mask(void)
 {
-    (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
-static void zero_crossings(void)
+static iris_status zero_crossings(void)
 {
     iris_edge_config config;
     iris_edge_defaults(&config);
     config.op = IRIS_EDGE_LAPLACIAN;
-    (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
+    return iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
-static void zero_crossings_of_log(void)
+static iris_status zero_crossings_of_log(void)
 {
     iris_edge_config config;
     iris_edge_defaults(&config);
     config.op = IRIS_EDGE_LOG;
-    (void)iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
+    return iris_edge_mask(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
-static void canny(void)
+static iris_status canny(void)
 {
-    (void)iris_canny(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_canny(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
-static void canny_unsmoothed(void)
+static iris_status canny_unsmoothed(void)
 {
     iris_canny_config config;
     iris_canny_defaults(&config);
     config.sigma_q16 = 0;
-    (void)iris_canny(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
+    return iris_canny(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
 const bench_case bench_edge[] = {

@@ -23,7 +23,7 @@ static void follower_by_hough(void)
     (void)iris_follow_use_hough(&follow, &bench_frame.scratch);
 }
 
-static void frame_to_sentence(void)
+static iris_status frame_to_sentence(void)
 {
     iris_follow_result line;
     iris_command command;
@@ -31,7 +31,7 @@ static void frame_to_sentence(void)
     size_t length;
     (void)iris_follow_frame(&line, &follow, &bench_frame.gray, 33);
     (void)iris_steer_update(&command, &steer, &line, 33);
-    (void)iris_command_format(sentence, sizeof sentence, &length, &command);
+    return iris_command_format(sentence, sizeof sentence, &length, &command);
 }
 
 const bench_case bench_follow[] = {

@@ -3,20 +3,20 @@
 #include "iris/xt/hough.h"
 #include "iris/xt/regress.h"
 
-static void regress(void)
+static iris_status regress(void)
 {
     iris_line line;
-    (void)iris_regress_mask(&line, &bench_frame.mask);
+    return iris_regress_mask(&line, &bench_frame.mask);
 }
 
-static void hough_lines(void)
+static iris_status hough_lines(void)
 {
     iris_hough_config config;
     iris_hough_line lines[4];
     int32_t count;
     iris_hough_defaults(&config);
     config.theta_bins = 90;
-    (void)iris_hough_lines(lines, 4, &count, &bench_frame.mask, &config, &bench_frame.scratch);
+    return iris_hough_lines(lines, 4, &count, &bench_frame.mask, &config, &bench_frame.scratch);
 }
 
 const bench_case bench_hough[] = {

@@ -21,69 +21,70 @@ static void prepare_corner(void)
     (void)iris_hitmiss_pattern_read(&corner, ".1./011/00.");
 }
 
-static void dilate_3(void)
+static iris_status dilate_3(void)
 {
-    (void)iris_morph_dilate(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_morph_dilate(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
-static void dilate_cross(void)
+static iris_status dilate_cross(void)
 {
-    (void)iris_morph_dilate(&bench_frame.gray_to, &bench_frame.gray, &cross3, replicate,
+    return iris_morph_dilate(&bench_frame.gray_to, &bench_frame.gray, &cross3, replicate,
+                             &bench_frame.scratch);
+}
+
+static iris_status erode_15(void)
+{
+    return iris_morph_erode(&bench_frame.gray_to, &bench_frame.gray, &square15, replicate,
                             &bench_frame.scratch);
 }
 
-static void erode_15(void)
+static iris_status open_3(void)
 {
-    (void)iris_morph_erode(&bench_frame.gray_to, &bench_frame.gray, &square15, replicate,
-                           &bench_frame.scratch);
+    return iris_morph_open(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
-static void open_3(void)
+static iris_status gradient(void)
 {
-    (void)iris_morph_open(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_morph_gradient(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate,
+                               &bench_frame.scratch);
 }
 
-static void gradient(void)
+static iris_status tophat(void)
 {
-    (void)iris_morph_gradient(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_morph_tophat(&bench_frame.gray_to, &bench_frame.gray, &square15, replicate,
+                             &bench_frame.scratch);
 }
 
-static void tophat(void)
+static iris_status mask_dilate_3(void)
 {
-    (void)iris_morph_tophat(&bench_frame.gray_to, &bench_frame.gray, &square15, replicate,
+    return iris_morph_dilate(&bench_frame.mask_to, &bench_frame.mask, NULL, replicate, &bench_frame.scratch);
+}
+
+static iris_status mask_open_3(void)
+{
+    return iris_morph_open(&bench_frame.mask_to, &bench_frame.mask, NULL, replicate, &bench_frame.scratch);
+}
+
+static iris_status mask_close_15(void)
+{
+    return iris_morph_close(&bench_frame.mask_to, &bench_frame.mask, &square15, replicate,
                             &bench_frame.scratch);
 }
 
-static void mask_dilate_3(void)
+static iris_status find_corners(void)
 {
-    (void)iris_morph_dilate(&bench_frame.mask_to, &bench_frame.mask, NULL, replicate, &bench_frame.scratch);
+    return iris_hitmiss_find(&bench_frame.mask_to, &bench_frame.mask, &corner, replicate,
+                             &bench_frame.scratch);
 }
 
-static void mask_open_3(void)
+static iris_status distance_l1(void)
 {
-    (void)iris_morph_open(&bench_frame.mask_to, &bench_frame.mask, NULL, replicate, &bench_frame.scratch);
+    return iris_distance_transform(&far, &bench_frame.mask, IRIS_DISTANCE_L1);
 }
 
-static void mask_close_15(void)
+static iris_status distance_chamfer(void)
 {
-    (void)iris_morph_close(&bench_frame.mask_to, &bench_frame.mask, &square15, replicate,
-                           &bench_frame.scratch);
-}
-
-static void find_corners(void)
-{
-    (void)iris_hitmiss_find(&bench_frame.mask_to, &bench_frame.mask, &corner, replicate,
-                            &bench_frame.scratch);
-}
-
-static void distance_l1(void)
-{
-    (void)iris_distance_transform(&far, &bench_frame.mask, IRIS_DISTANCE_L1);
-}
-
-static void distance_chamfer(void)
-{
-    (void)iris_distance_transform(&far, &bench_frame.mask, IRIS_DISTANCE_CHAMFER);
+    return iris_distance_transform(&far, &bench_frame.mask, IRIS_DISTANCE_CHAMFER);
 }
 
 const bench_case bench_morph[] = {

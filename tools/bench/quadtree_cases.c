@@ -26,39 +26,39 @@ static void prepare_integral(void)
     integral = bench_canvas_of(IRIS_GRAY_U32, bench_frame.gray.w + 1, bench_frame.gray.h + 1);
 }
 
-static void segment(void)
+static iris_status segment(void)
 {
-    (void)iris_quadtree_segment(&tree, &bench_frame.gray, NULL);
+    return iris_quadtree_segment(&tree, &bench_frame.gray, NULL);
 }
 
-static void segment_color(void)
+static iris_status segment_color(void)
 {
-    (void)iris_quadtree_segment(&tree, &bench_frame.rgb, NULL);
+    return iris_quadtree_segment(&tree, &bench_frame.rgb, NULL);
 }
 
-static void means(void)
+static iris_status means(void)
 {
-    (void)iris_quadtree_means(&bench_frame.gray_to, &tree);
+    return iris_quadtree_means(&bench_frame.gray_to, &tree);
 }
 
-static void merge(void)
+static iris_status merge(void)
 {
-    (void)iris_region_merge(&regions, &tree, NULL, &bench_frame.scratch);
+    return iris_region_merge(&regions, &tree, NULL, &bench_frame.scratch);
 }
 
-static void integral_sums(void)
+static iris_status integral_sums(void)
 {
-    (void)iris_integral(&integral, &bench_frame.gray);
+    return iris_integral(&integral, &bench_frame.gray);
 }
 
-static void integral_of_mask(void)
+static iris_status integral_of_mask(void)
 {
-    (void)iris_integral(&integral, &bench_frame.mask);
+    return iris_integral(&integral, &bench_frame.mask);
 }
 
-static void integral_squares(void)
+static iris_status integral_squares(void)
 {
-    (void)iris_integral_squares(&integral, &bench_frame.gray);
+    return iris_integral_squares(&integral, &bench_frame.gray);
 }
 
 const bench_case bench_quadtree[] = {

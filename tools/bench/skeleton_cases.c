@@ -9,26 +9,26 @@ static void half(void)
     (void)iris_threshold(&bench_frame.mask, &bench_frame.gray, 160, IRIS_SELECT_BRIGHT);
 }
 
-static void exact(void)
+static iris_status exact(void)
 {
-    (void)iris_skeleton(NULL, &bench_frame.mask_to, &bench_frame.mask, IRIS_SKELETON_EXACT,
-                        &bench_frame.scratch);
+    return iris_skeleton(NULL, &bench_frame.mask_to, &bench_frame.mask, IRIS_SKELETON_EXACT,
+                         &bench_frame.scratch);
 }
 
-static void zhang_suen(void)
+static iris_status zhang_suen(void)
 {
-    (void)iris_skeleton(NULL, &bench_frame.mask_to, &bench_frame.mask, IRIS_SKELETON_ZHANG_SUEN,
-                        &bench_frame.scratch);
+    return iris_skeleton(NULL, &bench_frame.mask_to, &bench_frame.mask, IRIS_SKELETON_ZHANG_SUEN,
+                         &bench_frame.scratch);
 }
 
-static void prune(void)
+static iris_status prune(void)
 {
-    (void)iris_skeleton_prune(&bench_frame.mask_to, &bench_frame.mask, 8, &bench_frame.scratch);
+    return iris_skeleton_prune(&bench_frame.mask_to, &bench_frame.mask, 8, &bench_frame.scratch);
 }
 
-static void branches(void)
+static iris_status branches(void)
 {
-    (void)iris_skeleton_branches(&bench_frame.mask_to, &bench_frame.mask, &bench_frame.scratch);
+    return iris_skeleton_branches(&bench_frame.mask_to, &bench_frame.mask, &bench_frame.scratch);
 }
 
 const bench_case bench_skeleton[] = {

@@ -2,22 +2,22 @@
 
 #include "iris/xt/threshold.h"
 
-static void fixed(void)
+static iris_status fixed(void)
 {
-    (void)iris_threshold(&bench_frame.mask_to, &bench_frame.gray, 100, IRIS_SELECT_DARK);
+    return iris_threshold(&bench_frame.mask_to, &bench_frame.gray, 100, IRIS_SELECT_DARK);
 }
 
-static void otsu(void)
+static iris_status otsu(void)
 {
     uint8_t value;
-    (void)iris_threshold_otsu(&value, &bench_frame.mask_to, &bench_frame.gray, IRIS_SELECT_DARK,
-                              &bench_frame.scratch);
+    return iris_threshold_otsu(&value, &bench_frame.mask_to, &bench_frame.gray, IRIS_SELECT_DARK,
+                               &bench_frame.scratch);
 }
 
-static void adaptive(void)
+static iris_status adaptive(void)
 {
-    (void)iris_threshold_adaptive(&bench_frame.mask_to, &bench_frame.gray, 12, 20, IRIS_SELECT_DARK,
-                                  &bench_frame.scratch);
+    return iris_threshold_adaptive(&bench_frame.mask_to, &bench_frame.gray, 12, 20, IRIS_SELECT_DARK,
+                                   &bench_frame.scratch);
 }
 
 const bench_case bench_threshold[] = {

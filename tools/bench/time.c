@@ -3,6 +3,7 @@
 #include "bench.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -24,7 +25,7 @@ static double round_of(const bench_case *c, int runs)
 {
     double start = now_ns();
     for (int i = 0; i < runs; i++) {
-        c->run();
+        (void)c->run();
     }
     return now_ns() - start;
 }
@@ -34,6 +35,11 @@ static double best_of(const bench_case *c)
     bench_frame_begin((iris_size){W, H}, memory.memory, sizeof memory.memory);
     if (c->prepare) {
         c->prepare();
+    }
+    iris_status status = c->run();
+    if (bench_refused(status)) {
+        fprintf(stderr, "%s: %s\n", c->name, iris_status_text(status));
+        exit(1);
     }
     int runs = 1;
     while (round_of(c, runs) < ROUND_NSEC) {

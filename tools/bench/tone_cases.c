@@ -13,56 +13,56 @@ static void prepare_tone(void)
     (void)iris_tone_gamma(&tone, IRIS_Q16_ONE / 2);
 }
 
-static void histogram(void)
+static iris_status histogram(void)
 {
-    (void)iris_histogram(counts, &bench_frame.gray, 0, NULL);
+    return iris_histogram(counts, &bench_frame.gray, 0, NULL);
 }
 
-static void histogram_masked(void)
+static iris_status histogram_masked(void)
 {
-    (void)iris_histogram(counts, &bench_frame.gray, 0, &bench_frame.mask);
+    return iris_histogram(counts, &bench_frame.gray, 0, &bench_frame.mask);
 }
 
-static void histogram_lightness(void)
+static iris_status histogram_lightness(void)
 {
-    (void)iris_histogram(counts, &bench_frame.rgb, IRIS_CHANNEL_LIGHTNESS, NULL);
+    return iris_histogram(counts, &bench_frame.rgb, IRIS_CHANNEL_LIGHTNESS, NULL);
 }
 
-static void apply(void)
+static iris_status apply(void)
 {
-    (void)iris_tone_apply(&bench_frame.gray_to, &bench_frame.gray, &tone);
+    return iris_tone_apply(&bench_frame.gray_to, &bench_frame.gray, &tone);
 }
 
-static void apply_rgb(void)
+static iris_status apply_rgb(void)
 {
-    (void)iris_tone_apply_rgb(&bench_frame.rgb_to, &bench_frame.rgb, &tone, &tone, &tone);
+    return iris_tone_apply_rgb(&bench_frame.rgb_to, &bench_frame.rgb, &tone, &tone, &tone);
 }
 
-static void apply_lightness(void)
+static iris_status apply_lightness(void)
 {
-    (void)iris_tone_apply_lightness(&bench_frame.rgb_to, &bench_frame.rgb, &tone);
+    return iris_tone_apply_lightness(&bench_frame.rgb_to, &bench_frame.rgb, &tone);
 }
 
-static void adjust_rgb(void)
+static iris_status adjust_rgb(void)
 {
     const iris_adjustment by = {.red = 20, .blue = -10};
-    (void)iris_adjust(&bench_frame.rgb_to, &bench_frame.rgb, &by);
+    return iris_adjust(&bench_frame.rgb_to, &bench_frame.rgb, &by);
 }
 
-static void adjust_hue(void)
+static iris_status adjust_hue(void)
 {
     const iris_adjustment by = {.hue = 30};
-    (void)iris_adjust(&bench_frame.rgb_to, &bench_frame.rgb, &by);
+    return iris_adjust(&bench_frame.rgb_to, &bench_frame.rgb, &by);
 }
 
-static void equalize(void)
+static iris_status equalize(void)
 {
-    (void)iris_equalize(&bench_frame.gray_to, &bench_frame.gray, &bench_frame.scratch);
+    return iris_equalize(&bench_frame.gray_to, &bench_frame.gray, &bench_frame.scratch);
 }
 
-static void equalize_local(void)
+static iris_status equalize_local(void)
 {
-    (void)iris_equalize_local(&bench_frame.gray_to, &bench_frame.gray, NULL, &bench_frame.scratch);
+    return iris_equalize_local(&bench_frame.gray_to, &bench_frame.gray, NULL, &bench_frame.scratch);
 }
 
 const bench_case bench_tone[] = {
