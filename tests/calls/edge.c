@@ -2,6 +2,7 @@
 #include "iris/xt/edge.h"
 
 #include "calls.h"
+#include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
 
 static iris_edge_config config;
@@ -93,11 +94,24 @@ static void canny(void)
     CALL(iris_canny(mask, src, given, border, scratch));
 }
 
+static void automaton(void)
+{
+    iris_automaton_config by = {(uint8_t)draw_below(256), draw_int(0, IRIS_AUTOMATON_GENERATIONS_MAX)};
+    iris_size size = draw_size();
+    const iris_image *mask = draw_output(IRIS_MASK1, size);
+    const iris_image *src = draw_input(IRIS_GRAY8, size);
+    const iris_automaton_config *given = draw_chance(10) ? NULL : draw_given(&by, sizeof by);
+    iris_border border = draw_border();
+    iris_scratch *scratch = draw_scratch(IRIS_AUTOMATON_SCRATCH_BYTES(size.w));
+    CALL(iris_automaton(mask, src, given, border, scratch));
+}
+
 const random_call calls_edge[] = {
     {"iris_edge_gradient", gradient},
     {"iris_edge_magnitude", magnitude},
     {"iris_edge_direction", direction},
     {"iris_edge_mask", mask},
     {"iris_canny", canny},
+    {"iris_automaton", automaton},
     {NULL, NULL},
 };

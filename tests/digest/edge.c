@@ -1,5 +1,6 @@
 #include "digest.h"
 
+#include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
 #include "iris/xt/edge.h"
 
@@ -95,12 +96,20 @@ static void canny(void)
     }
 }
 
+static void automaton(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), dst = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_AUTOMATON_SCRATCH_BYTES(W));
+    for (int i = 0; i < 4; i++) {
+        iris_automaton_config config = {(uint8_t)(5 + 10 * i), i};
+        digest_number(iris_automaton(&dst, &gray, &config, borders[i], &scratch));
+        digest_view(&dst);
+    }
+}
+
 const digest_operation digest_edge[] = {
-    {"edge.gradient", gradient},
-    {"edge.magnitude", magnitude},
-    {"edge.direction", direction},
-    {"edge.mask", mask},
-    {"edge.log", log_mask},
-    {"canny.mask", canny},
-    {NULL, NULL},
+    {"edge.gradient", gradient},   {"edge.magnitude", magnitude},
+    {"edge.direction", direction}, {"edge.mask", mask},
+    {"edge.log", log_mask},        {"canny.mask", canny},
+    {"automaton.mask", automaton}, {NULL, NULL},
 };

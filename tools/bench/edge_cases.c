@@ -1,5 +1,6 @@
 #include "bench.h"
 
+#include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
 #include "iris/xt/edge.h"
 
@@ -91,6 +92,11 @@ static iris_status canny_unsmoothed(void)
     return iris_canny(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
+static void automaton(void)
+{
+    (void)iris_automaton(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+}
+
 const bench_case bench_edge[] = {
     {"edges, Sobel magnitude", sobel, NULL},
     {"edges, Prewitt magnitude", prewitt, NULL},
@@ -102,6 +108,7 @@ const bench_case bench_edge[] = {
     {"edges, Sobel mask", mask, NULL},
     {"edges, Laplacian zero crossings", zero_crossings, NULL},
     {"edges, LoG zero crossings, sigma 1.4", zero_crossings_of_log, NULL},
+    {"edges, cellular automaton", automaton, NULL},
     {"edges, Canny, sigma 1.4", canny, NULL},
     {"edges, Canny, not smoothed", canny_unsmoothed, NULL},
     {0},
