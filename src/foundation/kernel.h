@@ -103,4 +103,30 @@ void iris_row_median25_u8_c(uint8_t *dst, const uint8_t *const sorted[5], int32_
 #define iris_row_median25_u8 iris_row_median25_u8_c
 #endif
 
+/* dst = the largest and the smallest of three. dst may be one of them, and those that are not may also overlap it from
+ * behind (dst + 1). */
+void iris_row_max3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
+#ifndef iris_row_max3_u8
+#define iris_row_max3_u8 iris_row_max3_u8_c
+#endif
+
+void iris_row_min3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
+#ifndef iris_row_min3_u8
+#define iris_row_min3_u8 iris_row_min3_u8_c
+#endif
+
+/* dst = a - b, 0 where that is negative. dst may be a or b. */
+void iris_row_minus_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n);
+#ifndef iris_row_minus_u8
+#define iris_row_minus_u8 iris_row_minus_u8_c
+#endif
+
+/* Pixel x of a mask = pixels x + at[0], x + at[1], and x + at[2] joined: by "or", or with all = ~0 by "and". Writes
+ * `words` whole words; reads the word with pixel at[k] and `words` more behind it. dst may be src where no at is negative. */
+void iris_row_join3_mask_c(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
+                           int32_t words);
+#ifndef iris_row_join3_mask
+#define iris_row_join3_mask iris_row_join3_mask_c
+#endif
+
 #endif

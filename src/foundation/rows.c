@@ -7,7 +7,7 @@ static void copy_samples(uint8_t *to, const iris_rows *rows, int32_t y)
 {
     const uint8_t *from = (const uint8_t *)iris_image_row(rows->src, y);
     if (rows->src->format != IRIS_HSL24) {
-        memcpy(to, from, iris_format_row_bytes(rows->src->format, rows->src->w));
+        memcpy(to, from, rows->row_bytes);
         return;
     }
     for (int32_t x = 0; x < rows->src->w; x++) {
@@ -15,22 +15,39 @@ static void copy_samples(uint8_t *to, const iris_rows *rows, int32_t y)
     }
 }
 
-/* Bit x of a mask's row, outside the picture, gets what stands for it. */
-static void continue_mask_at(uint32_t *row, const iris_rows *rows, int32_t x)
+/* Continues a mask's row to both sides, whole words at a time where all pixels there are the same. */
+static void continue_mask(uint32_t *row, const iris_rows *rows)
 {
-    int32_t index = iris_border_index(x, rows->src->w, rows->border.rule);
-    uint32_t bit = index < 0 ? rows->border.value != 0 : row[index / 32] >> index % 32 & 1;
-    uint32_t place = (uint32_t)1 << (x & 31);
-    row[x >> 5] = (row[x >> 5] & ~place) | (bit ? place : 0);
+    int32_t w = rows->src->w, last = (w + rows->window.right - 1) >> 5;
+    iris_border border = rows->border;
+    if (border.rule == IRIS_BORDER_REFLECT101) {
+        int32_t left = rows->window.left;
+        for (int32_t x = left > 0 ? -left : w; x < w + rows->window.right; x = x == -1 ? w : x + 1) {
+            int32_t index = iris_border_index(x, w, border.rule);
+            uint32_t bit = row[index / 32] >> index % 32 & 1;
+            row[x >> 5] = (row[x >> 5] & ~((uint32_t)1 << (x & 31))) | bit << (x & 31);
+        }
+        return;
+    }
+    uint32_t first = row[0] & 1, end = row[(w - 1) / 32] >> (w - 1) % 32 & 1;
+    if (border.rule == IRIS_BORDER_CONSTANT) {
+        first = end = border.value != 0;
+    }
+    for (int32_t i = (-rows->window.left) >> 5; i < 0; i++) {
+        row[i] = 0 - first;
+    }
+    if (w % 32 != 0) {
+        uint32_t beyond = ~0u << w % 32;
+        row[w / 32] = (row[w / 32] & ~beyond) | ((0 - end) & beyond);
+    }
+    for (int32_t i = (w + 31) / 32; i <= last; i++) {
+        row[i] = 0 - end;
+    }
 }
 
 /* Pixel x of a slot's row, outside the picture, gets what stands for it. */
 static void continue_at(uint8_t *row, const iris_rows *rows, int32_t x)
 {
-    if (rows->src->format == IRIS_MASK1) {
-        continue_mask_at((uint32_t *)(void *)row, rows, x);
-        return;
-    }
     int32_t channels = rows->channels;
     int32_t index = iris_border_index(x, rows->src->w, rows->border.rule);
     for (int32_t c = 0; c < channels; c++) {
@@ -38,13 +55,11 @@ static void continue_at(uint8_t *row, const iris_rows *rows, int32_t x)
     }
 }
 
-static void load_next(iris_rows *rows)
+static void continue_row(uint8_t *row, const iris_rows *rows)
 {
-    uint8_t *row = rows->ring + (size_t)(rows->loaded % rows->slots) * rows->slot_bytes;
-    if (rows->source.make) {
-        rows->source.make(rows->source.user, row, rows->loaded);
-    } else {
-        copy_samples(row, rows, rows->loaded);
+    if (rows->src->format == IRIS_MASK1) {
+        continue_mask((uint32_t *)(void *)row, rows);
+        return;
     }
     for (int32_t x = -rows->window.left; x < 0; x++) {
         continue_at(row, rows, x);
@@ -52,6 +67,18 @@ static void load_next(iris_rows *rows)
     for (int32_t x = 0; x < rows->window.right; x++) {
         continue_at(row, rows, rows->src->w + x);
     }
+}
+
+static void load_next(iris_rows *rows)
+{
+    rows->last = rows->last + 1 < rows->slots ? rows->last + 1 : 0;
+    uint8_t *row = rows->ring + (size_t)rows->last * rows->slot_bytes;
+    if (rows->source.make) {
+        rows->source.make(rows->source.user, row, rows->loaded);
+    } else {
+        copy_samples(row, rows, rows->loaded);
+    }
+    continue_row(row, rows);
     rows->loaded++;
 }
 
@@ -78,6 +105,8 @@ iris_status iris_rows_begin_from(iris_rows *rows, const iris_rows_source *source
     *rows = (iris_rows){.src = src, .window = window, .border = border, .channels = channels, .reach = reach};
     rows->source = *source;
     rows->slots = 2 * reach + 1;
+    rows->last = -1;
+    rows->row_bytes = iris_format_row_bytes(src->format, src->w);
     rows->slot_bytes = IRIS_SCRATCH_ROUND(before + from_0);
     rows->level = memory + before;
     rows->ring = rows->level + rows->slot_bytes;
@@ -100,8 +129,15 @@ void iris_rows_next(iris_rows *rows)
  * rows from y and still in the ring. */
 const uint8_t *iris_rows_at(const iris_rows *rows, int32_t dy)
 {
-    int32_t row = iris_border_index(rows->y + dy, rows->src->h, rows->border.rule);
-    return row < 0 ? rows->level : rows->ring + (size_t)(row % rows->slots) * rows->slot_bytes;
+    int32_t row = rows->y + dy;
+    if (row < 0 || row >= rows->src->h) {
+        row = iris_border_index(row, rows->src->h, rows->border.rule);
+    }
+    if (row < 0) {
+        return rows->level;
+    }
+    int32_t slot = rows->last - (rows->loaded - 1 - row);
+    return rows->ring + (size_t)(slot < 0 ? slot + rows->slots : slot) * rows->slot_bytes;
 }
 
 int iris_rows_span(int32_t *first, int32_t *end, const iris_rows *rows)

@@ -42,9 +42,10 @@ typedef struct {
     /* Private. */
     iris_rows_source source;
     int32_t loaded; /* rows of src that have been copied */
+    int32_t last;   /* slot of the latest of them */
     int32_t reach, slots;
-    size_t slot_bytes;
-    uint8_t *ring;  /* pixel 0 of slot 0; row i is in slot i % slots */
+    size_t row_bytes, slot_bytes;
+    uint8_t *ring;  /* pixel 0 of slot 0; row i is in slot i modulo slots */
     uint8_t *level; /* pixel 0 of a row of border.value */
 } iris_rows;
 

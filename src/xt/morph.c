@@ -1,5 +1,6 @@
 #include "iris/xt/morph.h"
 
+#include "../foundation/kernel.h"
 #include "mask_bits.h"
 #include "morph_step.h"
 
@@ -46,11 +47,14 @@ static iris_status check_pictures(const iris_image *dst, const iris_image *src)
 /* dst = a - b, at least 0; of masks, what is set in a alone. */
 static void row_minus(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n, int mask)
 {
-    for (int32_t i = 0; mask && i < n; i++) {
-        dst[i] = (uint8_t)(a[i] & ~b[i]);
+    if (!mask) {
+        iris_row_minus_u8(dst, a, b, n);
+        return;
     }
-    for (int32_t i = 0; !mask && i < n; i++) {
-        dst[i] = (uint8_t)(a[i] > b[i] ? a[i] - b[i] : 0);
+    uint32_t *to = (uint32_t *)(void *)dst;
+    const uint32_t *p = (const uint32_t *)(const void *)a, *q = (const uint32_t *)(const void *)b;
+    for (int32_t i = 0; i < n / 4; i++) {
+        to[i] = p[i] & ~q[i];
     }
 }
 

@@ -1,3 +1,4 @@
+#include "../foundation/kernel.h"
 #include "mask_bits.h"
 #include "morph_step.h"
 
@@ -6,38 +7,33 @@ static int32_t words_of(int32_t pixels)
     return (pixels + 31) / 32;
 }
 
-/* Pixels from `first` on become pixels 0 to n - 1. Looks at no word without any of them. */
-static void move_pixels(uint32_t *to, const uint32_t *row, int32_t first, int32_t n)
+/* The last word of what iris_row_join3_mask makes of n pixels; looks at no word that has none of them. */
+static uint32_t join_last(const uint32_t *row, const int32_t at[3], int32_t n, uint32_t all)
 {
-    int32_t words = words_of(n);
-    for (int32_t i = 0; i < words - 1; i++) {
-        to[i] = iris_mask_pixels(row, 32 * i + first);
+    uint32_t joined = 0;
+    int32_t word = words_of(n) - 1;
+    for (int k = 0; k < 3; k++) {
+        int32_t first = (32 * word + at[k]) >> 5, last = (n - 1 + at[k]) >> 5, shift = at[k] & 31;
+        uint32_t pixels = first == last ? row[first] >> shift : iris_mask_pixels(row, 32 * word + at[k]);
+        joined |= pixels ^ all;
     }
-    int32_t at = 32 * (words - 1) + first;
-    to[words - 1] = at >> 5 == (n - 1 + first) >> 5 ? row[at >> 5] >> (at & 31) : iris_mask_pixels(row, at);
-}
-
-/* Pixels x, x + a, x + b of run are joined to pixel x. */
-static void join_three(uint32_t *to, const uint32_t *run, int32_t a, int32_t b, const iris_mask_span *span)
-{
-    int32_t words = words_of(span->w);
-    uint32_t turn = span->all ? ~0u : 0u; /* and is or of the negatives */
-    for (int32_t i = 0; i < words; i++) {
-        uint32_t third = iris_mask_pixels(run, 32 * i + a) ^ turn;
-        third |= iris_mask_pixels(run, 32 * i + b) ^ turn;
-        to[i] = (third | (run[i] ^ turn)) ^ turn;
-    }
+    return joined ^ all;
 }
 
 void iris_mask_join_span(uint32_t *to, const uint32_t *row, iris_mask_span span, uint32_t *run)
 {
-    int32_t count = span.last - span.first + 1, length = 1;
-    move_pixels(count == 1 ? to : run, row, span.first, span.w + count - 1);
+    int32_t count = span.last - span.first + 1, length = count < 3 ? count : 3;
+    int32_t n = span.w + count - length;
+    int32_t start[3] = {span.first, span.first + length / 2, span.first + length - 1};
+    uint32_t all = span.all ? ~0u : 0u, *made = count > 3 ? run : to;
+    iris_row_join3_mask(made, row, start, all, words_of(n) - 1);
+    made[words_of(n) - 1] = join_last(row, start, n, all);
     for (; 3 * length < count; length *= 3) {
-        iris_mask_span wider = {.w = span.w + count - 3 * length, .all = span.all};
-        join_three(run, run, length, 2 * length, &wider);
+        const int32_t at[3] = {0, length, 2 * length};
+        iris_row_join3_mask(run, run, at, all, words_of(span.w + count - 3 * length));
     }
-    if (count > 1) {
-        join_three(to, run, length < count - length ? length : count - length, count - length, &span);
+    if (length < count) {
+        const int32_t at[3] = {0, length < count - length ? length : count - length, count - length};
+        iris_row_join3_mask(to, run, at, all, words_of(span.w));
     }
 }

@@ -2,21 +2,7 @@
 
 #include <string.h>
 
-static void join_most(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++) {
-        uint8_t most = a[i] > b[i] ? a[i] : b[i];
-        dst[i] = most > c[i] ? most : c[i];
-    }
-}
-
-static void join_least(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++) {
-        uint8_t least = a[i] < b[i] ? a[i] : b[i];
-        dst[i] = least < c[i] ? least : c[i];
-    }
-}
+#include "../foundation/kernel.h"
 
 static void join_any(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
 {
@@ -65,17 +51,23 @@ static const uint8_t *join_span(iris_morph_step *step, uint8_t *to, const uint8_
     return to;
 }
 
-/* The run of 3^level lines that ends with line i. */
-static uint8_t *run_at(const iris_morph_step *step, int32_t level, int32_t i)
+/* The run of 3^level lines that ends `back` lines before the latest one. */
+static uint8_t *run_at(const iris_morph_step *step, int32_t level, int32_t back)
 {
-    return step->levels[level].ring + (size_t)(i % step->levels[level].slots) * (size_t)step->line_bytes;
+    int32_t slot = step->levels[level].last - back;
+    slot = slot < 0 ? slot + step->levels[level].slots : slot;
+    return step->levels[level].ring + (size_t)slot * (size_t)step->line_bytes;
 }
 
 /* The line of the lowest row that is looked at, and the runs that end with it. */
 static void add_line(iris_morph_step *step, const uint8_t *row)
 {
-    int32_t i = step->lines++;
-    uint8_t *line = run_at(step, 0, i);
+    step->lines++;
+    for (int32_t level = 0; level <= step->top; level++) {
+        int32_t next = step->levels[level].last + 1;
+        step->levels[level].last = next < step->levels[level].slots ? next : 0;
+    }
+    uint8_t *line = run_at(step, 0, 0);
     int cross = step->element.shape == IRIS_MORPH_CROSS;
     const uint8_t *made = join_span(step, line, row, cross ? 0 : -step->left, cross ? 0 : step->right);
     if (made != line) {
@@ -83,9 +75,9 @@ static void add_line(iris_morph_step *step, const uint8_t *row)
     }
     int32_t length = 1;
     for (int32_t level = 0; level < step->top; level++, length *= 3) {
-        if (i >= 3 * length - 1) {
-            step->join(run_at(step, level + 1, i), run_at(step, level, i), run_at(step, level, i - length),
-                       run_at(step, level, i - 2 * length), step->row_bytes);
+        if (step->lines >= 3 * length) {
+            step->join(run_at(step, level + 1, 0), run_at(step, level, 0), run_at(step, level, length),
+                       run_at(step, level, 2 * length), step->row_bytes);
         }
     }
 }
@@ -104,6 +96,7 @@ static void divide_rings(iris_morph_step *step, uint8_t *memory)
         int32_t slots = level == step->top ? h - length + 1 : level == 0 ? h / 2 + 1 : 2 * length + 1;
         step->levels[level].ring = memory;
         step->levels[level].slots = slots;
+        step->levels[level].last = -1;
         memory += (size_t)slots * (size_t)step->line_bytes;
     }
 }
@@ -129,7 +122,7 @@ iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source 
     step->right = erodes ? far : (element->w - 1) / 2;
     step->above = erodes ? (element->h - 1) / 2 : high;
     step->below = erodes ? high : (element->h - 1) / 2;
-    step->join = mask ? (erodes ? join_all : join_any) : erodes ? join_least : join_most;
+    step->join = mask ? (erodes ? join_all : join_any) : erodes ? iris_row_min3_u8 : iris_row_max3_u8;
     step->row_bytes = (int32_t)row_bytes;
     step->line_bytes = (int32_t)line_bytes;
     step->lines = 0;
@@ -140,12 +133,14 @@ iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source 
     return IRIS_OK;
 }
 
-/* Adds the runs that overlap to `lines` lines, the last of which is line i. Returns how many parts there are then. */
-static int add_runs(const uint8_t **parts, int count, const iris_morph_step *step, int32_t i, int32_t lines)
+/* Adds the runs that overlap to `lines` lines, the last of which is `back` lines before the latest. Returns how many parts
+ * there are then. */
+static int add_runs(const uint8_t **parts, int count, const iris_morph_step *step, int32_t back,
+                    int32_t lines)
 {
     for (int32_t before = 0; before < lines; before += step->longest) {
-        int32_t back = before < lines - step->longest ? before : lines - step->longest;
-        parts[count++] = run_at(step, step->top, i - back);
+        int32_t more = before < lines - step->longest ? before : lines - step->longest;
+        parts[count++] = run_at(step, step->top, back + more);
     }
     return count;
 }
@@ -157,7 +152,7 @@ static int add_center(const uint8_t **parts, int count, iris_morph_step *step)
     if (!step->element.exclude_center) {
         parts[count++] = step->element.shape == IRIS_MORPH_CROSS
                              ? join_span(step, step->run, row, -step->left, step->right)
-                             : run_at(step, 0, step->rows.y + step->above);
+                             : run_at(step, 0, step->below);
     } else if (step->left > 0) {
         parts[count++] = join_span(step, step->run, row, -step->left, -1);
     } else if (step->right > 0) {
@@ -168,12 +163,12 @@ static int add_center(const uint8_t **parts, int count, iris_morph_step *step)
 
 void iris_morph_step_row(iris_morph_step *step, uint8_t *to, int32_t from, int32_t n)
 {
-    int32_t above = step->rows.y + step->above - 1, below = above + step->below + 1;
     const uint8_t *row = iris_rows_at(&step->rows, 0);
-    const uint8_t *parts[8] = {row}; /* one to three runs above, as many below, and the center */
+    const uint8_t *parts[8]; /* one to three runs above, as many below, and the center */
+    parts[0] = row;
     add_line(step, iris_rows_at(&step->rows, step->below));
-    int count = add_runs(parts, 0, step, above, step->above);
-    count = add_runs(parts, count, step, below, step->below);
+    int count = add_runs(parts, 0, step, step->below + 1, step->above);
+    count = add_runs(parts, count, step, 0, step->below);
     count = add_center(parts, count, step);
     const uint8_t *joined = parts[0] + from;
     for (int i = 1; i == 1 || i < count; i += 2) {

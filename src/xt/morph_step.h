@@ -29,10 +29,11 @@ typedef struct {
     int32_t line_bytes; /* of a line in its ring */
     int32_t longest;    /* 3^top */
     int32_t top;        /* level of the longest runs of lines */
-    int32_t lines;      /* so many have been made; line 0 is that of row -above */
+    int32_t lines;      /* so many have been made */
     struct {
-        uint8_t *ring; /* the latest runs of 3^level lines, named by their last line i, in slot i % slots */
+        uint8_t *ring; /* the latest runs of 3^level lines */
         int32_t slots;
+        int32_t last; /* slot of the run that ends with the latest line */
     } levels[IRIS_MORPH_LEVELS];
     uint8_t *run; /* room for a row's runs */
 } iris_morph_step;

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 11
+#define IRIS_PORT_OVERRIDES 15
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -40,5 +40,18 @@ void iris_row_sort5_u8_sse(uint8_t *const sorted[5], const uint8_t *const rows[5
 
 void iris_row_median25_u8_sse(uint8_t *dst, const uint8_t *const sorted[5], int32_t step, int32_t n);
 #define iris_row_median25_u8 iris_row_median25_u8_sse
+
+void iris_row_max3_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
+#define iris_row_max3_u8 iris_row_max3_u8_sse
+
+void iris_row_min3_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
+#define iris_row_min3_u8 iris_row_min3_u8_sse
+
+void iris_row_minus_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n);
+#define iris_row_minus_u8 iris_row_minus_u8_sse
+
+void iris_row_join3_mask_sse(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
+                             int32_t words);
+#define iris_row_join3_mask iris_row_join3_mask_sse
 
 #endif

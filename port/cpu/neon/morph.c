@@ -1,0 +1,77 @@
+/* The largest, the smallest, and differences, sixteen samples at a time. The last sixteen are looked at first: where a
+ * row is changed in place, they cannot be looked at again. */
+#include <arm_neon.h>
+
+#include "kernel.h"
+
+static inline uint8x16_t max3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+{
+    return vmaxq_u8(vmaxq_u8(vld1q_u8(a + i), vld1q_u8(b + i)), vld1q_u8(c + i));
+}
+
+static inline uint8x16_t min3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+{
+    return vminq_u8(vminq_u8(vld1q_u8(a + i), vld1q_u8(b + i)), vld1q_u8(c + i));
+}
+
+void iris_row_max3_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+{
+    if (n < 16) {
+        iris_row_max3_u8_c(dst, a, b, c, n);
+        return;
+    }
+    uint8x16_t last = max3_at(a, b, c, n - 16);
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        vst1q_u8(dst + i, max3_at(a, b, c, i));
+    }
+    vst1q_u8(dst + n - 16, last);
+}
+
+void iris_row_min3_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+{
+    if (n < 16) {
+        iris_row_min3_u8_c(dst, a, b, c, n);
+        return;
+    }
+    uint8x16_t last = min3_at(a, b, c, n - 16);
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        vst1q_u8(dst + i, min3_at(a, b, c, i));
+    }
+    vst1q_u8(dst + n - 16, last);
+}
+
+void iris_row_minus_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
+{
+    if (n < 16) {
+        iris_row_minus_u8_c(dst, a, b, n);
+        return;
+    }
+    uint8x16_t last = vqsubq_u8(vld1q_u8(a + n - 16), vld1q_u8(b + n - 16));
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        vst1q_u8(dst + i, vqsubq_u8(vld1q_u8(a + i), vld1q_u8(b + i)));
+    }
+    vst1q_u8(dst + n - 16, last);
+}
+
+/* Four words of pixels from pixel `shift` of the first on. */
+static inline uint32x4_t pixels_of(const uint32_t *words, int32_t shift)
+{
+    return vorrq_u32(vshlq_u32(vld1q_u32(words), vdupq_n_s32(-shift)),
+                     vshlq_u32(vld1q_u32(words + 1), vdupq_n_s32(32 - shift)));
+}
+
+void iris_row_join3_mask_neon(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
+                              int32_t words)
+{
+    const uint32_t *a = src + (at[0] >> 5), *b = src + (at[1] >> 5), *c = src + (at[2] >> 5);
+    int32_t shift_a = at[0] & 31, shift_b = at[1] & 31, shift_c = at[2] & 31;
+    uint32x4_t turn = vdupq_n_u32(all);
+    int32_t i = 0;
+    for (; i < words - 3; i += 4) {
+        uint32x4_t joined = veorq_u32(pixels_of(a + i, shift_a), turn);
+        joined = vorrq_u32(joined, veorq_u32(pixels_of(b + i, shift_b), turn));
+        joined = vorrq_u32(joined, veorq_u32(pixels_of(c + i, shift_c), turn));
+        vst1q_u32(dst + i, veorq_u32(joined, turn));
+    }
+    iris_row_join3_mask_c(dst + i, src + i, at, all, words - i);
+}

@@ -1,0 +1,75 @@
+/* The largest, the smallest, and differences, sixteen samples at a time. The last sixteen are looked at first: where a
+ * row is changed in place, they cannot be looked at again. */
+#include "vector.h"
+
+static inline __m128i max3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+{
+    return _mm_max_epu8(_mm_max_epu8(load16(a + i), load16(b + i)), load16(c + i));
+}
+
+static inline __m128i min3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+{
+    return _mm_min_epu8(_mm_min_epu8(load16(a + i), load16(b + i)), load16(c + i));
+}
+
+void iris_row_max3_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+{
+    if (n < 16) {
+        iris_row_max3_u8_c(dst, a, b, c, n);
+        return;
+    }
+    __m128i last = max3_at(a, b, c, n - 16);
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        store16(dst + i, max3_at(a, b, c, i));
+    }
+    store16(dst + n - 16, last);
+}
+
+void iris_row_min3_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+{
+    if (n < 16) {
+        iris_row_min3_u8_c(dst, a, b, c, n);
+        return;
+    }
+    __m128i last = min3_at(a, b, c, n - 16);
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        store16(dst + i, min3_at(a, b, c, i));
+    }
+    store16(dst + n - 16, last);
+}
+
+void iris_row_minus_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
+{
+    if (n < 16) {
+        iris_row_minus_u8_c(dst, a, b, n);
+        return;
+    }
+    __m128i last = _mm_subs_epu8(load16(a + n - 16), load16(b + n - 16));
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        store16(dst + i, _mm_subs_epu8(load16(a + i), load16(b + i)));
+    }
+    store16(dst + n - 16, last);
+}
+
+/* Four words of pixels from pixel `shift` of the first on. */
+static inline __m128i pixels_of(const uint32_t *words, __m128i shift)
+{
+    __m128i rest = _mm_sub_epi64(_mm_cvtsi32_si128(32), shift);
+    return _mm_or_si128(_mm_srl_epi32(load16(words), shift), _mm_sll_epi32(load16(words + 1), rest));
+}
+
+void iris_row_join3_mask_sse(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
+                             int32_t words)
+{
+    const uint32_t *a = src + (at[0] >> 5), *b = src + (at[1] >> 5), *c = src + (at[2] >> 5);
+    __m128i shift_a = _mm_cvtsi32_si128(at[0] & 31), shift_b = _mm_cvtsi32_si128(at[1] & 31);
+    __m128i shift_c = _mm_cvtsi32_si128(at[2] & 31), turn = _mm_set1_epi32((int)all);
+    int32_t i = 0;
+    for (; i < words - 3; i += 4) {
+        __m128i joined = _mm_xor_si128(pixels_of(a + i, shift_a), turn);
+        joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(b + i, shift_b), turn));
+        joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(c + i, shift_c), turn));
+        store16(dst + i, _mm_xor_si128(joined, turn));
+    }
+    iris_row_join3_mask_c(dst + i, src + i, at, all, words - i);
+}

@@ -1,0 +1,44 @@
+/* Row kernels of morphology: the plain C bodies. */
+#include "kernel.h"
+
+void iris_row_max3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        uint8_t most = a[i] > b[i] ? a[i] : b[i];
+        dst[i] = most > c[i] ? most : c[i];
+    }
+}
+
+void iris_row_min3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        uint8_t least = a[i] < b[i] ? a[i] : b[i];
+        dst[i] = least < c[i] ? least : c[i];
+    }
+}
+
+void iris_row_minus_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = (uint8_t)(a[i] > b[i] ? a[i] - b[i] : 0);
+    }
+}
+
+/* 32 pixels from pixel `shift` of two words on. */
+static inline uint32_t pixels_of(const uint32_t *words, int32_t shift)
+{
+    return words[0] >> shift | words[1] << 1 << (31 - shift);
+}
+
+void iris_row_join3_mask_c(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
+                           int32_t words)
+{
+    const uint32_t *a = src + (at[0] >> 5), *b = src + (at[1] >> 5), *c = src + (at[2] >> 5);
+    int32_t shift_a = at[0] & 31, shift_b = at[1] & 31, shift_c = at[2] & 31;
+    for (int32_t i = 0; i < words; i++) {
+        uint32_t joined = pixels_of(a + i, shift_a) ^ all; /* and is or of the negatives */
+        joined |= pixels_of(b + i, shift_b) ^ all;
+        joined |= pixels_of(c + i, shift_c) ^ all;
+        dst[i] = joined ^ all;
+    }
+}

@@ -1,0 +1,141 @@
+/* Kernels of morphology. */
+#include "kernels.h"
+
+static int32_t at[3];
+static uint32_t all;
+
+static void choose_from(int32_t low, int32_t high)
+{
+    static const int32_t places[] = {-32, -31, -1, 0, 1, 31, 32, 33, 63};
+    for (int k = 0; k < 3; k++) {
+        do {
+            at[k] = places[random_below(9)];
+        } while (at[k] < low || at[k] > high);
+    }
+    all = random_below(2) ? ~0u : 0u;
+}
+
+static void choose_places(void)
+{
+    choose_from(-32, 63);
+}
+
+static void choose_places_behind(void)
+{
+    choose_from(0, 63);
+}
+
+static void run_max3(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_max3_u8)(rows[0], rows[1], rows[2], rows[3], n);
+}
+
+static void run_min3(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_min3_u8)(rows[0], rows[1], rows[2], rows[3], n);
+}
+
+static void run_max3_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_max3_u8)(rows[0], rows[0], rows[0] + 1, rows[0] + 3, n);
+}
+
+static void run_min3_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_min3_u8)(rows[0], rows[0] + 17, rows[0], rows[0] + 1, n);
+}
+
+static void run_minus(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_minus_u8)(rows[0], rows[1], rows[2], n);
+}
+
+static void run_minus_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_minus_u8)(rows[0], rows[1], rows[0], n);
+}
+
+static void run_join3(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_join3_mask)(words(rows[0]), words(rows[1]), at, all, (n + 31) / 32);
+}
+
+static void run_join3_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_join3_mask)(words(rows[0]), words(rows[0]), at, all, (n + 31) / 32);
+}
+
+static const kernel_case cases[] = {
+    {KERNEL(iris_row_max3_u8), run_max3, NULL, {ROW_U8, ROW_U8, ROW_U8, ROW_U8}},
+    {KERNEL(iris_row_max3_u8), run_max3_in_place, NULL, {ROW_U8_AROUND(0, 3)}},
+    {KERNEL(iris_row_min3_u8), run_min3, NULL, {ROW_U8, ROW_U8, ROW_U8, ROW_U8}},
+    {KERNEL(iris_row_min3_u8), run_min3_in_place, NULL, {ROW_U8_AROUND(0, 17)}},
+    {KERNEL(iris_row_minus_u8), run_minus, NULL, {ROW_U8, ROW_U8, ROW_U8}},
+    {KERNEL(iris_row_minus_u8), run_minus_in_place, NULL, {ROW_U8, ROW_U8}},
+    {KERNEL(iris_row_join3_mask), run_join3, choose_places, {ROW_MASK, ROW_MASK_AROUND(32, 64)}},
+    {KERNEL(iris_row_join3_mask), run_join3_in_place, choose_places_behind, {ROW_MASK_AROUND(0, 64)}},
+};
+
+/* ---- truths ---- */
+
+static void truth_of_samples(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        uint8_t row[4][N], *rows[] = {row[0], row[1], row[2], row[3]};
+        for (int i = 0; i < N; i++) {
+            row[1][i] = (uint8_t)(i % 3 == 0 ? 255 : 100 + i);
+            row[2][i] = (uint8_t)(i % 3 == 1 ? 255 : 90);
+            row[3][i] = (uint8_t)(i % 3 == 2 ? 255 : 0);
+        }
+        run_max3(plain, rows, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(row[0][i], 255);
+        }
+        run_min3(plain, rows, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(row[0][i], i % 3 == 2 ? 90 : 0);
+        }
+        run_minus(plain, rows, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(row[0][i], i % 3 == 0 ? 165 : i % 3 == 1 ? 0 : 10 + i);
+        }
+    }
+}
+
+/* One pixel set, and one clear. */
+static void truth_of_join3(void **state)
+{
+    (void)state;
+    enum { WORDS = 6, SET = 77 };
+    static const int32_t places[3] = {-1, 0, 33};
+    BOTH_BODIES(plain)
+    {
+        for (int turn = 0; turn < 2; turn++) {
+            uint32_t from[WORDS + 3] = {0}, to[WORDS] = {0};
+            uint8_t *rows[] = {(uint8_t *)to, (uint8_t *)(from + 1)};
+            from[1 + SET / 32] = (uint32_t)1 << SET % 32;
+            for (int i = 0; i < WORDS + 3; i++) {
+                from[i] ^= turn ? ~0u : 0u;
+            }
+            memcpy(at, places, sizeof at);
+            all = turn ? ~0u : 0u;
+            run_join3(plain, rows, 32 * WORDS);
+            for (int i = 0; i < 32 * WORDS; i++) {
+                assert_int_equal(bit(to, i), (i - 1 == SET || i == SET || i + 33 == SET) != turn);
+            }
+        }
+    }
+}
+
+static int truths(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(truth_of_samples),
+        cmocka_unit_test(truth_of_join3),
+    };
+    return cmocka_run_group_tests_name("kernels of morphology", tests, NULL, NULL);
+}
+
+const kernel_family kernels_morph = {cases, sizeof cases / sizeof cases[0], truths};
