@@ -25,6 +25,11 @@ typedef struct {
     int32_t c;    /* gray levels below the mean, -255 to 255 */
 } iris_row_window;
 
+/* What a step costs. */
+typedef struct {
+    uint16_t straight, diagonal;
+} iris_row_steps;
+
 #include "iris_port.h"
 
 /* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
@@ -127,6 +132,31 @@ void iris_row_join3_mask_c(uint32_t *dst, const uint32_t *src, const int32_t at[
                            int32_t words);
 #ifndef iris_row_join3_mask
 #define iris_row_join3_mask iris_row_join3_mask_c
+#endif
+
+/* dst = 65535 where the bit is set, else 0. */
+void iris_row_select_u16_c(uint16_t *dst, const uint32_t *mask, int32_t n);
+#ifndef iris_row_select_u16
+#define iris_row_select_u16 iris_row_select_u16_c
+#endif
+
+/* row = the least of row, of other + straight, and of other's pixels beside it + diagonal; sums end at 65535. There is
+ * nothing beside the ends. straight: 1 to 255; diagonal: the same, or 65535, which never is the least. */
+void iris_row_reach_u16_c(uint16_t *row, const uint16_t *other, iris_row_steps steps, int32_t n);
+#ifndef iris_row_reach_u16
+#define iris_row_reach_u16 iris_row_reach_u16_c
+#endif
+
+/* row = the least of each pixel and of all to the left (to the right) of it with a step of 1 to 255 for each pixel in
+ * between; sums end at 65535. */
+void iris_row_spread_right_u16_c(uint16_t *row, uint16_t step, int32_t n);
+#ifndef iris_row_spread_right_u16
+#define iris_row_spread_right_u16 iris_row_spread_right_u16_c
+#endif
+
+void iris_row_spread_left_u16_c(uint16_t *row, uint16_t step, int32_t n);
+#ifndef iris_row_spread_left_u16
+#define iris_row_spread_left_u16 iris_row_spread_left_u16_c
 #endif
 
 #endif

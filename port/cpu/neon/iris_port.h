@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 15
+#define IRIS_PORT_OVERRIDES 19
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -53,5 +53,17 @@ void iris_row_minus_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, in
 void iris_row_join3_mask_neon(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                               int32_t words);
 #define iris_row_join3_mask iris_row_join3_mask_neon
+
+void iris_row_select_u16_neon(uint16_t *dst, const uint32_t *mask, int32_t n);
+#define iris_row_select_u16 iris_row_select_u16_neon
+
+void iris_row_reach_u16_neon(uint16_t *row, const uint16_t *other, iris_row_steps steps, int32_t n);
+#define iris_row_reach_u16 iris_row_reach_u16_neon
+
+void iris_row_spread_right_u16_neon(uint16_t *row, uint16_t step, int32_t n);
+#define iris_row_spread_right_u16 iris_row_spread_right_u16_neon
+
+void iris_row_spread_left_u16_neon(uint16_t *row, uint16_t step, int32_t n);
+#define iris_row_spread_left_u16 iris_row_spread_left_u16_neon
 
 #endif
