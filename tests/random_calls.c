@@ -1,6 +1,7 @@
 /* A hundred thousand random calls of every operation on pictures: whatever it is given, it returns a status, reads and writes
  * what is its own, and leaves the rest as it was. The same calls in every run; `random_calls N` makes call N alone,
  * and `random_calls N COUNT` COUNT from N on: other ones for as long as one likes. */
+#include <dirent.h>
 #include <stdio.h>
 
 #include "calls/calls.h"
@@ -46,6 +47,71 @@ static void a_hundred_thousand_random_calls(void **state)
            (unsigned long)function_count, (unsigned long)(end_call - first_call - sum));
 }
 
+/* Where operations are not of this kind: files, streams, sentences, and what drives, which fuzzing and tests of their own
+ * are for; and numbers. */
+static int has_no_operations(const char *header)
+{
+    static const char *const others[] = {"bmp.h",    "pnm.h",    "stream.h", "command.h",
+                                         "serial.h", "follow.h", "steer.h",  "scratch.h"};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (strcmp(header, others[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int is_called(const char *name)
+{
+    for (uint32_t f = 0; f < function_count; f++) {
+        if (strcmp(functions[f]->name, name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* The functions of a header that return a status. */
+static int operations_of(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    char line[256], name[64];
+    int count = 0;
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file)) {
+        if (sscanf(line, "iris_status %63[a-z0-9_](", name) == 1) {
+            count++;
+            if (!is_called(name)) {
+                (void)fclose(file);
+                fail_msg("%s has no random calls in tests/calls", name);
+            }
+        }
+    }
+    (void)fclose(file);
+    return count;
+}
+
+static void every_operation_is_called(void **state)
+{
+    (void)state;
+    static const char *const folders[] = {"include/iris", "include/iris/xt"};
+    int count = 0;
+    for (int i = 0; i < 2; i++) {
+        char path[512];
+        struct dirent *entry;
+        DIR *folder = opendir(folders[i]);
+        assert_non_null(folder); /* the tests run in the project's folder */
+        while ((entry = readdir(folder))) {
+            if (strstr(entry->d_name, ".h") && !has_no_operations(entry->d_name)) {
+                snprintf(path, sizeof path, "%s/%s", folders[i], entry->d_name);
+                count += operations_of(path);
+            }
+        }
+        closedir(folder);
+    }
+    assert_int_equal(count, function_count);
+}
+
 #if defined(__SANITIZE_ADDRESS__)
 static void say_which(void)
 {
@@ -68,6 +134,7 @@ int main(int argc, char **argv)
     __sanitizer_set_death_callback(say_which);
 #endif
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_operation_is_called),
         cmocka_unit_test(a_hundred_thousand_random_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

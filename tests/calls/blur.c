@@ -3,6 +3,7 @@
 
 #include "calls.h"
 #include "iris/xt/median.h"
+#include "iris/xt/unsharp.h"
 
 static size_t channels_of(iris_format format)
 {
@@ -51,9 +52,28 @@ static void median(void)
     CALL(iris_median(dst, src, side, border, scratch));
 }
 
+static void unsharp(void)
+{
+    iris_unsharp_config config;
+    iris_unsharp_defaults(&config);
+    if (draw_chance(2)) {
+        config.sigma_q16 = draw_int(IRIS_BLUR_SIGMA_MIN, draw_chance(8) ? IRIS_BLUR_SIGMA_MAX : 200000);
+        config.amount_q16 = draw_int(0, IRIS_UNSHARP_AMOUNT_MAX);
+        config.threshold = draw_int(0, 255);
+    }
+    int fits = config.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && config.sigma_q16 <= IRIS_BLUR_SIGMA_MAX;
+    iris_format format = draw_gray_or_color();
+    iris_size size = draw_size();
+    const iris_image *dst = draw_output(format, size);
+    const iris_image *src = draw_input(format, size);
+    const iris_unsharp_config *given = draw_given(&config, sizeof config);
+    iris_border border = draw_border();
+    iris_scratch *scratch =
+        draw_scratch(fits ? IRIS_UNSHARP_SCRATCH_BYTES(size.w, channels_of(format), config.sigma_q16) : 0);
+    CALL(iris_unsharp(dst, src, given, border, scratch));
+}
+
 const random_call calls_blur[] = {
-    {"iris_blur_gaussian", gaussian},
-    {"iris_blur_box", box},
-    {"iris_median", median},
-    {NULL, NULL},
+    {"iris_blur_gaussian", gaussian}, {"iris_blur_box", box}, {"iris_median", median},
+    {"iris_unsharp", unsharp},        {NULL, NULL},
 };

@@ -37,6 +37,68 @@ static void lines(void)
     CALL(iris_hough_lines(found, capacity, count, mask, given, scratch));
 }
 
+static void begin(void)
+{
+    iris_hough_config config = any_config();
+    iris_hough *hough = OR_NULL(draw_results(sizeof *hough));
+    iris_size size = draw_size();
+    const iris_hough_config *given = OR_NULL(draw_given(&config, sizeof config));
+    iris_scratch *scratch = draw_scratch_up_to(IRIS_HOUGH_SCRATCH_BYTES(70, 70, 40));
+    draw_scratch_is_kept();
+    CALL(iris_hough_begin(hough, size, given, scratch));
+}
+
+/* A transform that has begun, in memory that calls may change; null when it could not begin. */
+static iris_hough *begun(iris_size size)
+{
+    iris_hough hough;
+    iris_scratch scratch;
+    iris_hough_config config = any_config();
+    size_t bytes = IRIS_HOUGH_SCRATCH_BYTES(70, 70, 40);
+    if (iris_scratch_init(&scratch, draw_results(bytes), bytes) != IRIS_OK ||
+        iris_hough_begin(&hough, size, &config, &scratch) != IRIS_OK) {
+        return NULL;
+    }
+    for (int i = draw_within(0, 200); i > 0; i--) {
+        (void)iris_hough_vote(&hough, draw_within(0, 2 * size.w - 2), draw_within(0, 2 * size.h - 2));
+    }
+    return OR_NULL(draw_given(&hough, sizeof hough));
+}
+
+static void vote(void)
+{
+    iris_size size = draw_size();
+    iris_hough *hough = begun(size);
+    int32_t twice_x = draw_int(0, 2 * size.w), twice_y = draw_int(0, 2 * size.h);
+    CALL(iris_hough_vote(hough, twice_x, twice_y));
+}
+
+static void vote_row(void)
+{
+    iris_size size = draw_size();
+    iris_hough *hough = begun(size);
+    const uint32_t *row = OR_NULL(draw_given(NULL, iris_format_row_bytes(IRIS_MASK1, size.w)));
+    int32_t y = draw_int(0, size.h);
+    CALL(iris_hough_vote_row(hough, row, y));
+}
+
+static void peaks(void)
+{
+    const iris_hough *hough = begun(draw_size());
+    int32_t capacity = draw_within(-1, 5);
+    size_t room = capacity > 0 ? (size_t)capacity : 0;
+    iris_hough_line *found = OR_NULL(draw_results(room * sizeof *found));
+    int32_t *count = OR_NULL(draw_results(sizeof *count));
+    CALL(iris_hough_peaks(found, capacity, count, hough));
+}
+
+static void accumulator(void)
+{
+    iris_image *view = OR_NULL(draw_results(sizeof *view));
+    const iris_hough *hough = begun(draw_size());
+    CALL(iris_hough_accumulator(view, hough));
+}
+
 static void clip(void)
 {
     iris_hough_line line = {(iris_angle)draw_int(-20000, 20000), draw_int(-3000000, 3000000), 0};
@@ -91,5 +153,10 @@ const random_call calls_hough[] = {
     {"iris_regress_points", regress_points},
     {"iris_regress_rows", regress_rows},
     {"iris_regress_moments", regress_moments},
+    {"iris_hough_begin", begin},
+    {"iris_hough_vote", vote},
+    {"iris_hough_vote_row", vote_row},
+    {"iris_hough_peaks", peaks},
+    {"iris_hough_accumulator", accumulator},
     {NULL, NULL},
 };

@@ -24,16 +24,13 @@ static void segment(void)
     CALL(iris_quadtree_segment(given, image, with));
 }
 
-/* A tree as it is made, some leaves of which are then changed. */
-static void means(void)
+static iris_quadtree_leaf leaves[5000];
+
+/* A tree of src as it is made, some numbers of which are then changed. */
+static const iris_quadtree *any_tree(const iris_image *src)
 {
-    static iris_quadtree_leaf leaves[5000];
     iris_quadtree tree = {.leaves = leaves, .capacity = draw_within(1, 5000)};
     iris_quadtree_config config = {draw_within(0, 200), draw_within(1, 9)};
-    iris_size size = draw_size();
-    iris_format format = draw_gray_or_color();
-    const iris_image *src = draw_input(format, size);
-    const iris_image *dst = draw_output(draw_chance(3) ? draw_gray_or_color() : format, size);
     iris_status made = iris_quadtree_segment(&tree, src, &config);
     if (made != IRIS_OK && made != IRIS_ERR_FULL) {
         tree.count = 0;
@@ -44,13 +41,33 @@ static void means(void)
         *sides[draw_below(4)] = (uint16_t)draw_int(0, draw_chance(2) ? 70 : UINT16_MAX);
     }
     tree.leaves = OR_NULL(draw_given(leaves, (size_t)tree.count * sizeof *leaves));
-    const iris_quadtree *given = OR_NULL(draw_given(&tree, sizeof tree));
+    if (draw_chance(10)) {
+        int32_t *sides[] = {&tree.size.w, &tree.size.h};
+        *sides[draw_below(2)] = draw_int(1, IRIS_SIDE_MAX);
+    }
+    return OR_NULL(draw_given(&tree, sizeof tree));
+}
+
+static void check(void)
+{
+    const iris_quadtree *tree = any_tree(draw_input(draw_gray_or_color(), draw_size()));
+    CALL(iris_quadtree_check(tree));
+}
+
+static void means(void)
+{
+    iris_size size = draw_size();
+    iris_format format = draw_gray_or_color();
+    const iris_image *src = draw_input(format, size);
+    const iris_image *dst = draw_output(draw_chance(3) ? draw_gray_or_color() : format, size);
+    const iris_quadtree *tree = any_tree(src);
     draw_overlap_is_fine();
-    CALL(iris_quadtree_means(dst, given));
+    CALL(iris_quadtree_means(dst, tree));
 }
 
 const random_call calls_quadtree[] = {
     {"iris_quadtree_segment", segment},
+    {"iris_quadtree_check", check},
     {"iris_quadtree_means", means},
     {NULL, NULL},
 };

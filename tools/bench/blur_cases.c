@@ -2,6 +2,7 @@
 
 #include "iris/xt/blur.h"
 #include "iris/xt/median.h"
+#include "iris/xt/unsharp.h"
 
 static const iris_border replicate;
 
@@ -43,6 +44,11 @@ static iris_status median_5(void)
     return iris_median(&bench_frame.gray_to, &bench_frame.gray, 5, replicate, &bench_frame.scratch);
 }
 
+static iris_status unsharp(void)
+{
+    return iris_unsharp(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+}
+
 const bench_case bench_blur[] = {
     {"Gaussian blur, sigma 1", gaussian_1, NULL},
     {"Gaussian blur, sigma 4", gaussian_4, NULL},
@@ -51,5 +57,6 @@ const bench_case bench_blur[] = {
     {"box blur 15x15", box_15, NULL},
     {"median 3x3", median_3, NULL},
     {"median 5x5", median_5, NULL},
+    {"unsharp mask, sigma 1", unsharp, NULL},
     {0},
 };
