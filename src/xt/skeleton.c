@@ -3,10 +3,7 @@
 static iris_status start(iris_thinning *thinning, const iris_image *dst, const iris_image *src,
                          iris_scratch *scratch)
 {
-    if (!dst || !src || !scratch) {
-        return IRIS_ERR_ARG;
-    }
-    iris_status status = iris_skeleton_check(dst, src);
+    iris_status status = scratch ? iris_skeleton_check(dst, src) : IRIS_ERR_ARG;
     if (status == IRIS_OK) {
         status = iris_thinning_begin(thinning, (iris_size){src->w, src->h}, scratch);
     }

@@ -1,6 +1,7 @@
 #include "skeleton_parts.h"
 
 #include "../foundation/kernel.h"
+#include "filter.h"
 
 void iris_skeleton_load(uint64_t *row, const iris_image *mask, int32_t y)
 {
@@ -28,25 +29,11 @@ void iris_skeleton_put(const iris_image *mask, int32_t y, int32_t i, uint64_t bi
     }
 }
 
-static int same_place(const iris_image *a, const iris_image *b)
-{
-    return a->data == b->data && (a->stride == b->stride || a->h == 1);
-}
-
 iris_status iris_skeleton_check(const iris_image *dst, const iris_image *src)
 {
-    iris_status status = iris_image_check(dst);
-    if (status == IRIS_OK) {
-        status = iris_image_check(src);
-    }
-    if (status != IRIS_OK) {
+    iris_status status = iris_filter_check(dst, src, (iris_border){IRIS_BORDER_CONSTANT, 0});
+    if (status == IRIS_ERR_ARG) {
         return status;
     }
-    if (dst->format != IRIS_MASK1 || src->format != IRIS_MASK1) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != src->w || dst->h != src->h) {
-        return IRIS_ERR_RANGE;
-    }
-    return iris_image_overlaps(dst, src) && !same_place(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+    return dst->format == IRIS_MASK1 && src->format == IRIS_MASK1 ? status : IRIS_ERR_FORMAT;
 }

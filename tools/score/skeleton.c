@@ -123,11 +123,55 @@ static iris_image skeleton_of(iris_image *mask, const iris_image *gray)
     return skeleton;
 }
 
-/* 1: right, 0: wrong, -1: there is no such shape. */
-static int try_shape(const char *name, const score *s)
+/* Squared distance of the pixel at x, y (of a plane with a margin) from the nearest that is not selected. The margin ends
+ * every search. */
+static int32_t radius2(const plane *p, int32_t x, int32_t y)
+{
+    int32_t least = INT32_MAX;
+    for (int32_t dy = 0; dy * dy < least; dy++) {
+        for (int32_t dx = 0; dx * dx + dy * dy < least; dx++) {
+            int32_t left = x - dx, right = x + dx, up = y - dy, down = y + dy;
+            if (!p->at[up * p->w + left] || !p->at[up * p->w + right] || !p->at[down * p->w + left] ||
+                !p->at[down * p->w + right]) {
+                least = dx * dx + dy * dy;
+            }
+        }
+    }
+    return least;
+}
+
+/* The share of a shape that the greatest discs inside it around the skeleton's pixels cover: all, if they were its exact
+ * middle line. */
+static double covered(const iris_image *mask, const iris_image *skeleton)
+{
+    plane shape = plane_of(mask), line = plane_of(skeleton), discs = plane_of(mask);
+    int32_t area = 0, inside = 0, size = shape.w * shape.h;
+    for (int32_t i = 0; shape.at && line.at && discs.at && i < size; i++) {
+        area += shape.at[i];
+        int32_t x = i % shape.w, y = i / shape.w, r2 = line.at[i] ? radius2(&shape, x, y) : 0;
+        for (int32_t dy = -y; dy < shape.h - y; dy++) {
+            for (int32_t dx = -x; r2 > dy * dy && dx < shape.w - x; dx++) {
+                if (dx * dx + dy * dy < r2) {
+                    discs.at[i + dy * shape.w + dx] = 2;
+                }
+            }
+        }
+    }
+    for (int32_t i = 0; discs.at && i < size; i++) {
+        inside += discs.at[i] == 2;
+    }
+    free(shape.at);
+    free(line.at);
+    free(discs.at);
+    return area ? (double)inside / area : 0;
+}
+
+/* 1: right, 0: wrong, -1: there is no such shape. *cover: the share that its discs cover. */
+static int try_shape(double *cover, const char *name, const score *s)
 {
     iris_image gray, mask = {0}, skeleton = {0};
     int right = -1;
+    *cover = 0;
     if (picture_load(&gray, name, IRIS_GRAY8) == IRIS_OK) {
         skeleton = skeleton_of(&mask, &gray);
         right = skeleton.data && is_one_wide(&skeleton);
@@ -135,6 +179,7 @@ static int try_shape(const char *name, const score *s)
     if (right == 1) {
         topology before = topology_of(&mask), after = topology_of(&skeleton);
         right = before.parts > 0 && before.parts == after.parts && before.holes == after.holes;
+        *cover = covered(&mask, &skeleton);
     }
     if (skeleton.data && s->pictures) {
         char file[64];
@@ -153,18 +198,22 @@ void score_skeleton(score *s)
                                           "fork",  "guitar", "hammer", "heart",  "key"};
     const char *what = "skeletons one pixel wide, parts and holes of the shape";
     int right = 0, there = 0;
+    double cover, sum = 0;
     for (int i = 0; i <= 30; i++) {
         char name[64] = "shapes/horse.bmp";
         if (i < 30) {
             snprintf(name, sizeof name, "shapes/mpeg7/%s-0%d.bmp", classes[i / 3], 1 + i % 3 * 4);
         }
-        int result = try_shape(name, s);
+        int result = try_shape(&cover, name, s);
         there += result >= 0;
         right += result > 0;
+        sum += cover;
     }
     if (there == 0) {
         score_row(s, what, "all", SCORE_SKIPPED, "no shared data");
     } else {
         score_row(s, what, "all", score_if(right == 31), "%d of 31", right);
+        score_row(s, "shape that the discs around its skeleton cover, mean", NULL, SCORE_INFORMATION,
+                  "%.1f %%", 100 * sum / there);
     }
 }
