@@ -95,21 +95,25 @@ static void curve_of(int curve[256], const iris_image *src, const iris_equalize_
     assert_int_equal(sum, area);
 }
 
+static int32_t twice_center(int32_t tile, int32_t side, int32_t tiles)
+{
+    return tile * side / tiles + (tile + 1) * side / tiles - 1;
+}
+
 /* The last tile whose center is not behind x, its neighbor, and the neighbor's weight. */
 static int64_t place(int32_t *first, int32_t *second, int32_t x, int32_t side, int32_t tiles)
 {
-    int32_t tile = -1, center[IRIS_EQUALIZE_TILES_MAX]; /* doubled */
-    for (int32_t i = 0; i < tiles; i++) {
-        center[i] = i * side / tiles + (i + 1) * side / tiles - 1;
-        tile = center[i] <= 2 * x ? i : tile;
+    int32_t before = 0; /* tiles */
+    while (before < tiles && twice_center(before, side, tiles) <= 2 * x) {
+        before++;
     }
-    *first = tile < 0 ? 0 : tile;
-    *second = tile + 1 < tiles ? tile + 1 : tile;
+    *first = before > 0 ? before - 1 : 0;
+    *second = before < tiles ? before : tiles - 1;
     if (*first == *second) {
         return 0;
     }
-    double share = (double)(2 * x - center[tile]) / (center[tile + 1] - center[tile]);
-    return (int64_t)floor(2048 * share + 0.5 + 1e-9);
+    double left = twice_center(*first, side, tiles), right = twice_center(*second, side, tiles);
+    return (int64_t)floor(2048 * (2 * x - left) / (right - left) + 0.5 + 1e-9);
 }
 
 /* Twice the new lightness, times 2048^2. */
