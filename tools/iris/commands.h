@@ -31,6 +31,7 @@ extern const operation operation_blackhat;
 extern const operation operation_hitmiss;
 extern const operation operation_distance;
 extern const operation operation_skeleton;
+extern const operation operation_quadtree;
 extern const operation operation_blur;
 extern const operation operation_median;
 extern const operation operation_unsharp;

@@ -125,6 +125,9 @@ iris_scratch *stage_scratch(operation_stage *stage, size_t bytes);
 /* Zeroed bytes for stage->finding and results of any length; one at a time. Null after complaining. */
 void *stage_room(operation_stage *stage, size_t bytes);
 
+/* Where the first pixel of apply's input is in the whole picture: not at 0, 0 with --roi. */
+void stage_origin(int32_t *x, int32_t *y, const operation_stage *stage);
+
 /* EXIT_DONE for IRIS_OK; else complains about stage->file, and EXIT_BAD_DATA. */
 int stage_exit(const operation_stage *stage, iris_status status);
 

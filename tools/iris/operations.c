@@ -29,6 +29,7 @@ const operation *const operations[] = {
     &operation_hitmiss,
     &operation_distance,
     &operation_skeleton,
+    &operation_quadtree,
     NULL,
 };
 

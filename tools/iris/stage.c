@@ -110,6 +110,12 @@ void *stage_room(operation_stage *stage, size_t bytes)
     return memset(stage->room_memory, 0, bytes);
 }
 
+void stage_origin(int32_t *x, int32_t *y, const operation_stage *stage)
+{
+    *x = stage->has_roi ? stage->roi.x : 0;
+    *y = stage->has_roi ? stage->roi.y : 0;
+}
+
 int stage_exit(const operation_stage *stage, iris_status status)
 {
     if (status != IRIS_OK) {
