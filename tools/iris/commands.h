@@ -21,6 +21,7 @@ extern const operation operation_stretch;
 extern const operation operation_gamma;
 extern const operation operation_histogram;
 extern const operation operation_equalize;
+extern const operation operation_edge;
 extern const operation operation_dilate;
 extern const operation operation_erode;
 extern const operation operation_open;

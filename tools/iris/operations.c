@@ -19,6 +19,7 @@ const operation *const operations[] = {
     &operation_blur,
     &operation_median,
     &operation_unsharp,
+    &operation_edge,
     &operation_dilate,
     &operation_erode,
     &operation_open,
