@@ -4,63 +4,44 @@
 #include "kernel.h"
 
 /* Pixels of gray that go through RGB on the stack at a time. */
-#define PIECE 64
+#define PIECE 240
 
-/* A row and its neighbors. */
+/* A row between its neighbors. */
 typedef struct {
-    const uint8_t *above, *row, *below;
+    const uint8_t *const *rows;
     int32_t n;
-    int green;    /* pixels of this parity are green */
-    int own, far; /* which byte of dst is the row's color other than green, and which is the other rows' */
+    int32_t green; /* pixels of this parity are green */
+    int32_t own;   /* the byte of a pixel that gets the row's color other than green */
 } mosaic;
 
-static inline uint8_t mean2(uint32_t a, uint32_t b)
+/* The first or the last pixel. */
+static void edge_pixel(uint8_t *dst, const mosaic *m, int32_t x)
 {
-    return (uint8_t)((a + b + 1u) >> 1);
-}
-
-static inline uint8_t mean4(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
-{
-    return (uint8_t)((a + b + c + d + 2u) >> 2);
-}
-
-static inline void at_green(uint8_t *dst, const mosaic *m, int32_t left, int32_t x, int32_t right)
-{
-    dst[m->own] = mean2(m->row[left], m->row[right]);
-    dst[1] = m->row[x];
-    dst[m->far] = mean2(m->above[x], m->below[x]);
-}
-
-static inline void at_color(uint8_t *dst, const mosaic *m, int32_t left, int32_t x, int32_t right)
-{
-    dst[m->own] = m->row[x];
-    dst[1] = mean4(m->row[left], m->row[right], m->above[x], m->below[x]);
-    dst[m->far] = mean4(m->above[left], m->above[right], m->below[left], m->below[right]);
-}
-
-static void at_any(uint8_t *dst, const mosaic *m, int32_t x)
-{
-    int32_t left = iris_border_index(x - 1, m->n, IRIS_BORDER_REFLECT101);
-    int32_t right = iris_border_index(x + 1, m->n, IRIS_BORDER_REFLECT101);
-    if (x % 2 == m->green) {
-        at_green(dst, m, left, x, right);
-    } else {
-        at_color(dst, m, left, x, right);
+    uint8_t around[3][3];
+    const uint8_t *const middle[3] = {&around[0][1], &around[1][1], &around[2][1]};
+    for (int32_t i = 0; i < 3; i++) {
+        for (int32_t k = 0; k < 3; k++) {
+            around[i][k] = m->rows[i][iris_border_index(x + k - 1, m->n, IRIS_BORDER_REFLECT101)];
+        }
     }
+    iris_row_888_bayer(dst, middle, m->own, m->green ^ (x & 1), 1);
 }
 
 /* Pixels x to below end, the first of them to dst. */
 static void color_pixels(uint8_t *dst, const mosaic *m, int32_t x, int32_t end)
 {
-    for (; x < end && (x == 0 || x % 2 != m->green); x++, dst += 3) {
-        at_any(dst, m, x);
+    if (x == 0) {
+        edge_pixel(dst, m, x++);
+        dst += 3;
     }
-    for (; x + 2 < m->n && x + 1 < end; x += 2, dst += 6) {
-        at_green(dst, m, x - 1, x, x + 1);
-        at_color(dst + 3, m, x, x + 1, x + 2);
+    int32_t last = m->n - 1, count = (end < last ? end : last) - x;
+    if (count > 0) {
+        const uint8_t *const from[3] = {m->rows[0] + x, m->rows[1] + x, m->rows[2] + x};
+        iris_row_888_bayer(dst, from, m->own, m->green ^ (x & 1), count);
+        dst += 3 * count;
     }
-    for (; x < end; x++, dst += 3) {
-        at_any(dst, m, x);
+    if (end == m->n && m->n > 1) {
+        edge_pixel(dst, m, last);
     }
 }
 
@@ -74,14 +55,14 @@ static int is_target(iris_format format)
     return format == IRIS_RGB888 || format == IRIS_BGR888 || format == IRIS_GRAY8;
 }
 
-/* Arguments checked. shift: 1 when the row is the second of the order. */
+/* Arguments checked. */
 static void convert_row(uint8_t *dst, iris_format dst_format, const uint8_t *const rows[3], iris_format order,
                         int32_t n)
 {
     int place = (int)order - IRIS_BAYER8_RGGB; /* bit 0: columns exchanged, bit 1: rows exchanged */
     int blue_row = place >> 1;
     int own = (dst_format == IRIS_BGR888) == blue_row ? 0 : 2;
-    mosaic m = {rows[0], rows[1], rows[2], n, (place ^ blue_row ^ 1) & 1, own, 2 - own};
+    mosaic m = {rows, n, (place ^ blue_row ^ 1) & 1, own};
     if (dst_format != IRIS_GRAY8) {
         color_pixels(dst, &m, 0, n);
         return;

@@ -4,7 +4,6 @@
 
 #include "hsl.h"
 #include "kernel.h"
-#include "yuv.h"
 
 /* Pixels that go through RGB on the stack at a time; even, for YUV in pairs. */
 #define PIECE 64
@@ -46,13 +45,17 @@ static void rgb_from_rgba(uint8_t *dst, const uint8_t *src, int32_t n)
     }
 }
 
-/* y: which of the first two bytes is Y. */
+/* As rows of NV12. y: which of the first two bytes is Y. */
 static void rgb_from_yuv(uint8_t *dst, const uint8_t *src, int32_t n, int y)
 {
-    for (int32_t i = 0; i < n; i += 2, src += 4, dst += 6) {
-        iris_yuv_tint tint = iris_yuv_tint_of(src[1 - y], src[3 - y]);
-        iris_yuv_to_888(dst, src[y], tint, 0);
-        iris_yuv_to_888(dst + 3, src[y + 2], tint, 0);
+    for (int32_t x = 0; x < n; x += PIECE) {
+        uint8_t luma[PIECE], chroma[PIECE];
+        int32_t count = n - x < PIECE ? n - x : PIECE;
+        for (int32_t i = 0; i < count; i++, src += 2) {
+            luma[i] = src[y];
+            chroma[i] = src[1 - y];
+        }
+        iris_row_rgb888_nv12(dst + 3 * x, luma, chroma, count);
     }
 }
 

@@ -2,16 +2,14 @@
 
 #include <string.h>
 
+#include "kernel.h"
+
 /* ---- rows: dst[x] = above[x] + the sum of the values before x, for x from 0 to n ---- */
 
 static void sum_row(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n)
 {
-    uint32_t sum = 0;
     dst[0] = 0;
-    for (int32_t x = 0; x < n; x++) {
-        sum += src[x];
-        dst[x + 1] = above[x + 1] + sum;
-    }
+    iris_row_integral_u8(dst + 1, above + 1, src, n);
 }
 
 static void sum_squares_row(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n)

@@ -159,4 +159,36 @@ void iris_row_spread_left_u16_c(uint16_t *row, uint16_t step, int32_t n);
 #define iris_row_spread_left_u16 iris_row_spread_left_u16_c
 #endif
 
+/* dst = RGB888 of a row of NV12: pixels 2 i and 2 i + 1 have the U chroma[2 i] and the V chroma[2 i + 1]; see yuv.h. */
+void iris_row_rgb888_nv12_c(uint8_t *dst, const uint8_t *luma, const uint8_t *chroma, int32_t n);
+#ifndef iris_row_rgb888_nv12
+#define iris_row_rgb888_nv12 iris_row_rgb888_nv12_c
+#endif
+
+/* dst = the colors of a row of a Bayer picture, as bayer.h says. The row is rows[1], between those above and below
+ * it; rows are readable from -1 up to below n + 1. own: the byte of a pixel that gets the row's color other than
+ * green, 0 or 2; the other one gets that of the rows around. green: pixels of this parity are green. */
+void iris_row_888_bayer_c(uint8_t *dst, const uint8_t *const rows[3], int32_t own, int32_t green, int32_t n);
+#ifndef iris_row_888_bayer
+#define iris_row_888_bayer iris_row_888_bayer_c
+#endif
+
+/* sums = rows[0] + 4 rows[1] + 6 rows[2] + 4 rows[3] + rows[4]. */
+void iris_row_binomial5_u8_c(uint16_t *sums, const uint8_t *const rows[5], int32_t n);
+#ifndef iris_row_binomial5_u8
+#define iris_row_binomial5_u8 iris_row_binomial5_u8_c
+#endif
+
+/* dst[i] = the same sum of sums[2 i - 2] to sums[2 i + 2], plus 128, divided by 256. sums are at most 4080. */
+void iris_row_halve_u16_c(uint8_t *dst, const uint16_t *sums, int32_t n);
+#ifndef iris_row_halve_u16
+#define iris_row_halve_u16 iris_row_halve_u16_c
+#endif
+
+/* dst[i] = above[i] + src[0] + ... + src[i], modulo 2^32. */
+void iris_row_integral_u8_c(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
+#ifndef iris_row_integral_u8
+#define iris_row_integral_u8 iris_row_integral_u8_c
+#endif
+
 #endif

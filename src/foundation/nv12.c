@@ -2,26 +2,17 @@
 
 #include <string.h>
 
-#include "yuv.h"
-
-static void color_row(uint8_t *dst, const uint8_t *luma, const uint8_t *chroma, int32_t n, int red)
-{
-    for (; n > 1; n -= 2, dst += 6, luma += 2, chroma += 2) {
-        iris_yuv_tint tint = iris_yuv_tint_of(chroma[0], chroma[1]);
-        iris_yuv_to_888(dst, luma[0], tint, red);
-        iris_yuv_to_888(dst + 3, luma[1], tint, red);
-    }
-    if (n == 1) {
-        iris_yuv_to_888(dst, luma[0], iris_yuv_tint_of(chroma[0], chroma[1]), red);
-    }
-}
+#include "kernel.h"
 
 /* Arguments checked. */
 static void convert_row(uint8_t *dst, iris_format format, const uint8_t *luma, const uint8_t *chroma,
                         int32_t n)
 {
     if (format != IRIS_GRAY8) {
-        color_row(dst, luma, chroma, n, format == IRIS_BGR888 ? 2 : 0);
+        iris_row_rgb888_nv12(dst, luma, chroma, n);
+        if (format == IRIS_BGR888) {
+            iris_row_swap_888(dst, dst, n);
+        }
     } else if (dst != luma) {
         memcpy(dst, luma, (size_t)n);
     }

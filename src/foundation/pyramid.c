@@ -1,5 +1,6 @@
 #include "iris/pyramid.h"
 
+#include "kernel.h"
 #include "rows.h"
 
 /* The rows around a row, and their weighed sums with what lies beyond the edges. */
@@ -56,19 +57,20 @@ static void sum_five_rows(sum_rows *sum)
 {
     const uint8_t *rows[5];
     for (int32_t i = 0; i < 5; i++) {
-        rows[i] = iris_rows_at(&sum->rows, i - 2);
+        rows[i] = iris_rows_at(&sum->rows, i - 2) - sum->beyond;
     }
-    int32_t end = sum->rows.src->w * sum->rows.channels + sum->beyond;
-    for (int32_t x = -sum->beyond; x < end; x++) {
-        uint32_t outer = (uint32_t)rows[0][x] + rows[4][x], inner = (uint32_t)rows[1][x] + rows[3][x];
-        sum->sums[x] = (uint16_t)(outer + 4u * inner + 6u * rows[2][x]);
-    }
+    iris_row_binomial5_u8(sum->sums - sum->beyond, rows,
+                          sum->rows.src->w * sum->rows.channels + 2 * sum->beyond);
 }
 
 /* 1 4 6 4 1 of the sums around each second pixel: to dst pixels x to below end. */
 static void halve_row(uint8_t *dst, const sum_rows *sum, int32_t x, int32_t end)
 {
     const int32_t step = sum->rows.channels;
+    if (step == 1) {
+        iris_row_halve_u16(dst + x, sum->sums + 2 * x, end - x);
+        return;
+    }
     for (; x < end; x++) {
         for (int32_t c = 0; c < step; c++) {
             const uint16_t *s = sum->sums + 2 * x * step + c;

@@ -15,19 +15,16 @@ static inline iris_yuv_tint iris_yuv_tint_of(uint8_t u, uint8_t v)
     return (iris_yuv_tint){409 * from_v, -100 * from_u - 208 * from_v, 516 * from_u};
 }
 
+/* What Y gives to each channel, times 256, with the half for rounding. */
+static inline int32_t iris_yuv_luma(uint8_t y)
+{
+    return 298 * (y - 16) + 128;
+}
+
 static inline uint8_t iris_yuv_channel(int32_t value)
 {
     value >>= 8;
     return (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
-}
-
-/* red: which byte of the pixel is R, 0 or 2. */
-static inline void iris_yuv_to_888(uint8_t *dst, uint8_t y, iris_yuv_tint tint, int red)
-{
-    int32_t luma = 298 * (y - 16) + 128;
-    dst[red] = iris_yuv_channel(luma + tint.r);
-    dst[1] = iris_yuv_channel(luma + tint.g);
-    dst[2 - red] = iris_yuv_channel(luma + tint.b);
 }
 
 #endif

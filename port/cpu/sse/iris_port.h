@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 19
+#define IRIS_PORT_OVERRIDES 24
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -65,5 +65,21 @@ void iris_row_spread_right_u16_sse(uint16_t *row, uint16_t step, int32_t n);
 
 void iris_row_spread_left_u16_sse(uint16_t *row, uint16_t step, int32_t n);
 #define iris_row_spread_left_u16 iris_row_spread_left_u16_sse
+
+void iris_row_rgb888_nv12_sse(uint8_t *dst, const uint8_t *luma, const uint8_t *chroma, int32_t n);
+#define iris_row_rgb888_nv12 iris_row_rgb888_nv12_sse
+
+void iris_row_888_bayer_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t own, int32_t green,
+                            int32_t n);
+#define iris_row_888_bayer iris_row_888_bayer_sse
+
+void iris_row_binomial5_u8_sse(uint16_t *sums, const uint8_t *const rows[5], int32_t n);
+#define iris_row_binomial5_u8 iris_row_binomial5_u8_sse
+
+void iris_row_halve_u16_sse(uint8_t *dst, const uint16_t *sums, int32_t n);
+#define iris_row_halve_u16 iris_row_halve_u16_sse
+
+void iris_row_integral_u8_sse(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
+#define iris_row_integral_u8 iris_row_integral_u8_sse
 
 #endif
