@@ -141,34 +141,21 @@ static inline void put(waiting *queue, iris_thinning t, int32_t at, uint64_t bit
     t.at[last] = (uint32_t)at;
 }
 
-/* Eight bytes as one number, and back: written out, so that compilers see one load and one store. */
-static inline uint64_t eight_load(const uint8_t *b)
-{
-    return (uint64_t)b[0] | (uint64_t)b[1] << 8 | (uint64_t)b[2] << 16 | (uint64_t)b[3] << 24 |
-           (uint64_t)b[4] << 32 | (uint64_t)b[5] << 40 | (uint64_t)b[6] << 48 | (uint64_t)b[7] << 56;
-}
-
-static inline void eight_store(uint8_t *b, uint64_t v)
-{
-    b[0] = (uint8_t)v;
-    b[1] = (uint8_t)(v >> 8);
-    b[2] = (uint8_t)(v >> 16);
-    b[3] = (uint8_t)(v >> 24);
-    b[4] = (uint8_t)(v >> 32);
-    b[5] = (uint8_t)(v >> 40);
-    b[6] = (uint8_t)(v >> 48);
-    b[7] = (uint8_t)(v >> 56);
-}
-
-/* Takes a life of each of eight words that have one. Returns 1 in the byte of each that had, the first lowest. */
+/* Takes a life of each of eight words that have one. Returns 1 in the byte of each that had, the first lowest: on most
+ * processors as they lie in memory. */
 static inline uint64_t live(uint8_t *lives)
 {
-    uint64_t eight = eight_load(lives);
+    uint64_t eight;
+    memcpy(&eight, lives, sizeof eight);
     uint64_t had = (eight | eight >> 1 | eight >> 2) & EIGHT_ONES;
-    if (had != 0) {
-        eight_store(lives, eight - had);
+    if (had == 0) {
+        return 0;
     }
-    return had;
+    eight -= had;
+    memcpy(lives, &eight, sizeof eight);
+    const uint8_t *b = (const uint8_t *)&had;
+    return (uint64_t)b[0] | (uint64_t)b[1] << 8 | (uint64_t)b[2] << 16 | (uint64_t)b[3] << 24 |
+           (uint64_t)b[4] << 32 | (uint64_t)b[5] << 40 | (uint64_t)b[6] << 48 | (uint64_t)b[7] << 56;
 }
 
 /* Peels one side everywhere at once. A word is looked at while it has lives: as long as no sub-pass of a whole pass has
