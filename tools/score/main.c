@@ -42,10 +42,10 @@ int main(int argc, char **argv)
     score_lane(&s);
     score_drive(&s);
     score_hsl(&s);
+    score_tone(&s);
     score_bmp(&s);
     score_skeleton(&s);
     score_quadtree(&s);
-    score_skeleton(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;

@@ -30,10 +30,10 @@ void score_dashes(score *s);
 void score_lane(score *s);
 void score_drive(score *s);
 void score_hsl(score *s);
+void score_tone(score *s);
 void score_bmp(score *s);
 void score_skeleton(score *s);
 void score_quadtree(score *s);
-void score_skeleton(score *s);
 void score_cost(score *s);
 
 #endif
