@@ -92,9 +92,9 @@ static iris_status canny_unsmoothed(void)
     return iris_canny(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
-static void automaton(void)
+static iris_status automaton(void)
 {
-    (void)iris_automaton(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
+    return iris_automaton(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
 }
 
 const bench_case bench_edge[] = {
