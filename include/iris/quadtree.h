@@ -1,14 +1,16 @@
 /* IRIS - quadtree: a picture as blocks, large where it is even and small where it is not.
  *
- * A block whose pixels differ too much (maximum - minimum > tolerance, in any channel) is divided into four, and each of
- * these again, until every block is even enough or cannot be divided. Each of the two sides is halved by itself: a
- * side of n pixels becomes n - n / 2 and n / 2 (left and right, top and bottom; the first is the larger one), if n / 2
- * is at least the least side; else it stays whole, and the block is divided into two along the other side. So every
- * picture can be divided, of any size, and no side of a block is below the least side, unless the picture's is.
+ * A block whose pixels differ too much (maximum - minimum > tolerance, in any channel) is divided into four, and each
+ * of these again, until every block is even enough or cannot be divided. Each of the two sides is halved by itself: a
+ * side of n pixels becomes n - n / 2 and n / 2 (left and right, top and bottom; the first is the larger one), if
+ * the smaller is at least the least side; else it stays whole, and the block is divided into two along the other side.
+ * So every picture can be divided, of any size, and no side of a block is below the least side, unless the picture's
+ * is.
  *
  * The blocks that remain are the leaves. They cover the picture, each pixel once, and come depth first: top left, top
- * right, bottom left, bottom right, all of one quarter before the next. Hence of two leaves that share a column the upper
- * one comes first, and of two that share a row the left one. Report, sections 2.6.1 and 3.2.2 (QuadtreeSegmenter, Tree).
+ * right, bottom left, bottom right, all of one quarter before the next. Hence of two leaves that share a column the
+ * upper one comes first, and of two that share a row the left one. Report, sections 2.6.1 and 3.2.2
+ * (QuadtreeSegmenter, Tree).
  */
 #ifndef IRIS_QUADTREE_H
 #define IRIS_QUADTREE_H
@@ -51,19 +53,20 @@ typedef struct {
 /* Sensible values, as given above. Null is ignored. */
 void iris_quadtree_defaults(iris_quadtree_config *config);
 
-/* The tree of a picture, IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888. config may be null for the defaults. With a least side
- * of 1 every pixel is within the tolerance of its leaf's mean; with a larger one, in every leaf whose range is.
+/* The tree of a picture, IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888. config may be null for the defaults. With a least
+ * side of 1 every pixel is within the tolerance of its leaf's mean; with a larger one, in every leaf whose range is.
  *
- * IRIS_ERR_FULL: the leaves that were asked for are more than capacity (wanted says how many). The tree is a coarser one,
- * and complete: the one of the least side doubled as often as it takes.
- * IRIS_ERR_ARG: null pointer, a capacity below 1, a config value out of range, or an invalid view; IRIS_ERR_FORMAT.
+ * IRIS_ERR_FULL: the leaves that were asked for are more than capacity (wanted says how many). The tree is a coarser
+ * one, and complete: the one of the least side doubled as often as it takes.
+ * IRIS_ERR_ARG: null pointer, a capacity below 1, or a config value out of range; errors of iris_image_check;
+ * IRIS_ERR_FORMAT.
  * O(pixels * log(longest side)) at worst. A block that is not even is left at the first row that shows it, so most
  * pixels of most pictures are looked at once or twice. Again, up to 15 times, for IRIS_ERR_FULL. */
 iris_status iris_quadtree_segment(iris_quadtree *tree, const iris_image *image,
                                   const iris_quadtree_config *config);
 
-/* Is this a tree that functions may work on: are its leaves inside of the picture, and their areas that of the picture in
- * sum? For trees that do not come from iris_quadtree_segment as they are.
+/* Is this a tree that functions may work on: are its leaves inside of the picture, and their areas that of the
+ * picture in sum? For trees that do not come from iris_quadtree_segment as they are.
  * IRIS_ERR_ARG: null pointer, or a count below 1; IRIS_ERR_FORMAT: none that iris_quadtree_segment takes;
  * IRIS_ERR_RANGE: a side of the picture outside 1..IRIS_SIDE_MAX, or leaves that do not fit. O(leaves). */
 iris_status iris_quadtree_check(const iris_quadtree *tree);

@@ -90,8 +90,11 @@ static void join(region *all, const region *joins)
 
 static void meet(work *at, const merging *round, int32_t leaf_a, int32_t leaf_b)
 {
+    if (at->parent[leaf_a] == at->parent[leaf_b]) {
+        return;
+    }
     int32_t most = most_apart(at, round, &at->tree->leaves[leaf_a], &at->tree->leaves[leaf_b]);
-    if (most == NONE || at->parent[leaf_a] == at->parent[leaf_b]) {
+    if (most == NONE) {
         return;
     }
     int32_t a = first_of(at->parent, leaf_a), b = first_of(at->parent, leaf_b);
@@ -131,6 +134,7 @@ static void merge(work *at, const merging *round)
     }
     for (int32_t i = 0; i < at->tree->count; i++) {
         const iris_quadtree_leaf *leaf = &at->tree->leaves[i];
+        at->parent[i] = at->parent[at->parent[i]]; /* one step to where its region was before this round */
         meet_side(at, round, i, at->above, leaf->x, leaf->x + leaf->w);
         meet_side(at, round, i, at->left, leaf->y, leaf->y + leaf->h);
     }

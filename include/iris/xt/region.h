@@ -1,19 +1,20 @@
 /* IRIS-XT - regions: what is of one color and belongs together, as a table of colors, areas, and places.
  *
- * The leaves of a quadtree (quadtree.h) are merged with their neighbors: leaves that share a part of a side (a corner does
- * not count). The regions of two neighbors become one when
+ * The leaves of a quadtree (quadtree.h) are merged with their neighbors: leaves that share a part of a side (a corner
+ * does not count). The regions of two neighbors become one when
  *
  *   - the means of the regions differ by at most the tolerance, in every channel; or
- *   - the means of the two leaves do, and both leaves are even: their range is within the tree's tolerance, and no side is
- *     below IRIS_REGION_EVEN_SIDE. So the light on a wall or in the sky may change as far as it likes, if it changes
- *     slowly. Smaller leaves are no witnesses of that: across a blurred edge they change slowly, too.
+ *   - the means of the two leaves do, and both leaves are even: their range is within the tree's tolerance, and no
+ *     side is below IRIS_REGION_EVEN_SIDE. So the light on a wall or in the sky may change as far as it likes, if it
+ *     changes slowly. Smaller leaves are no witnesses of that: across a blurred edge they change slowly, too.
  *
- * Then each region below the least area joins a neighbor. Both is done in three rounds, so that what is most alike comes
- * first: in the first round only leaves (when small regions join: regions) whose means differ by at most 15 levels
+ * Then each region below the least area joins a neighbor. Both take three rounds, so that what is most alike comes
+ * first: in the first round only leaves (where small regions join: regions) whose means differ by at most 15 levels
  * become one, in the second 63, in the third 255. In each round, leaf after leaf in the order of the tree is compared
  * with those above it, from left to right, then with those left of it, from top to bottom.
  *
- * The mean of a region is that of its leaves' means, weighted by their areas, and rounded. Report, sections 2.3 and 2.6.
+ * The mean of a region is that of its leaves' means, weighted by their areas, and rounded. Report, sections 2.3 and
+ * 2.6.
  */
 #ifndef IRIS_XT_REGION_H
 #define IRIS_XT_REGION_H
