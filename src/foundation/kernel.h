@@ -30,6 +30,9 @@ typedef struct {
     uint16_t straight, diagonal;
 } iris_row_steps;
 
+/* The farthest that the bell kernels reach. */
+#define IRIS_BELL_RADIUS 5
+
 #include "iris_port.h"
 
 /* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
@@ -88,8 +91,8 @@ void iris_row_hsl_range_c(uint32_t *mask, const uint8_t *rgb, const iris_hsl_ran
 #define iris_row_hsl_range iris_row_hsl_range_c
 #endif
 
-/* dst = the median of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples away; rows are readable
- * from -step up to below n + step. */
+/* dst = the median of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples away; rows are
+ * readable from -step up to below n + step. */
 void iris_row_median9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
 #ifndef iris_row_median9_u8
 #define iris_row_median9_u8 iris_row_median9_u8_c
@@ -101,8 +104,8 @@ void iris_row_sort5_u8_c(uint8_t *const sorted[5], const uint8_t *const rows[5],
 #define iris_row_sort5_u8 iris_row_sort5_u8_c
 #endif
 
-/* dst = the median of the 5x5 samples around, of the sorted rows of iris_row_sort5_u8, readable from -2 step up to below
- * n + 2 step. */
+/* dst = the median of the 5x5 samples around, of the sorted rows of iris_row_sort5_u8, readable from -2 step up to
+ * below n + 2 step. */
 void iris_row_median25_u8_c(uint8_t *dst, const uint8_t *const sorted[5], int32_t step, int32_t n);
 #ifndef iris_row_median25_u8
 #define iris_row_median25_u8 iris_row_median25_u8_c
@@ -127,7 +130,8 @@ void iris_row_minus_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32
 #endif
 
 /* Pixel x of a mask = pixels x + at[0], x + at[1], and x + at[2] joined: by "or", or with all = ~0 by "and". Writes
- * `words` whole words; reads the word with pixel at[k] and `words` more behind it. dst may be src where no at is negative. */
+ * `words` whole words; reads the word with pixel at[k] and `words` more behind it. dst may be src where no at is
+ * negative. */
 void iris_row_join3_mask_c(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                            int32_t words);
 #ifndef iris_row_join3_mask
@@ -189,6 +193,31 @@ void iris_row_halve_u16_c(uint8_t *dst, const uint16_t *sums, int32_t n);
 void iris_row_integral_u8_c(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
 #ifndef iris_row_integral_u8
 #define iris_row_integral_u8 iris_row_integral_u8_c
+#endif
+
+/* A symmetric weighted sum of 2 radius + 1 rows of bytes, radius 1 to IRIS_BELL_RADIUS; weights of the distances 0 to
+ * radius, which sum to 2^15 with each side counted, each at least 0 and below 2^15. dst has 6 fraction bits: the sum,
+ * over the distances, of (pair * weight + 2^8) >> 9, where pair is the two samples at that distance, or the middle
+ * one. */
+void iris_row_bell_down_c(int16_t *dst, const uint8_t *const *rows, const int16_t *weights, int32_t radius,
+                          int32_t n);
+#ifndef iris_row_bell_down
+#define iris_row_bell_down iris_row_bell_down_c
+#endif
+
+/* The same across a row of such sums, 0 to 2^14 each, whose samples are `step` apart: (pair * weight + 2^14) >> 15.
+ * src is readable from -radius * step up to below n + radius * step. */
+void iris_row_bell_across_c(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                            int32_t step, int32_t n);
+#ifndef iris_row_bell_across
+#define iris_row_bell_across iris_row_bell_across_c
+#endif
+
+/* The same, rounded to bytes. */
+void iris_row_bell_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                               int32_t step, int32_t n);
+#ifndef iris_row_bell_across_u8
+#define iris_row_bell_across_u8 iris_row_bell_across_u8_c
 #endif
 
 #endif

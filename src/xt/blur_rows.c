@@ -1,5 +1,8 @@
 #include "blur_rows.h"
 
+#include <string.h>
+
+#include "../foundation/kernel.h"
 #include "gauss.h"
 #include "iris/xt/blur.h"
 
@@ -8,7 +11,7 @@
 /* How exact the weights are: as many bits as keep the center below 2^15 and the sums within int32_t. */
 static int bits_of(int32_t radius)
 {
-    return radius <= 1 ? 14 : radius <= 5 ? 15 : 17;
+    return radius <= IRIS_BELL_RADIUS ? 15 : 17;
 }
 
 /* The weights of the distances 0 to radius. Their sum, each side counted, is 2^bits: the center takes what
@@ -24,6 +27,11 @@ static void set_weights(int16_t *weights, int32_t radius, int bits, iris_q16 sig
         uint64_t scaled = (uint64_t)iris_gauss_q31(k * k, sigma_q16) << bits;
         weights[k] = (int16_t)((scaled + sum / 2) / sum);
         center -= 2 * weights[k];
+    }
+    if (center >
+        INT16_MAX) { /* the whole of a sigma so small that its neighbors weigh less than half a unit */
+        weights[radius] = 1;
+        center -= 2;
     }
     weights[0] = (int16_t)center;
 }
@@ -98,14 +106,23 @@ static int32_t tile(int32_t from, int32_t end)
 /* The samples of the row that are evaluated, summed from top to bottom; 0 when there are none. */
 static int make_middle(const iris_blur_rows *blur, int32_t *first, int32_t *end)
 {
-    int32_t channels = blur->rows.channels, beyond = blur->radius * channels;
+    int32_t channels = blur->rows.channels, radius = blur->radius, beyond = radius * channels;
     if (!iris_rows_span(first, end, &blur->rows)) {
         return 0;
     }
     *first *= channels;
     *end *= channels;
-    for (int32_t i = *first - beyond; i < *end + beyond; i += TILE) {
-        sum_down(blur, i, tile(i, *end + beyond));
+    if (radius > IRIS_BELL_RADIUS) {
+        for (int32_t i = *first - beyond; i < *end + beyond; i += TILE) {
+            sum_down(blur, i, tile(i, *end + beyond));
+        }
+    } else if (radius > 0) {
+        const uint8_t *around[2 * IRIS_BELL_RADIUS + 1];
+        for (int32_t k = 0; k <= 2 * radius; k++) {
+            around[k] = iris_rows_at(&blur->rows, k - radius) + *first - beyond;
+        }
+        iris_row_bell_down(blur->middle + *first - beyond, around, blur->weights, radius,
+                           *end - *first + 2 * beyond);
     }
     return 1;
 }
@@ -114,11 +131,18 @@ void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst)
 {
     int32_t first, end, sums[TILE];
     int32_t some = make_middle(blur, &first, &end);
-    for (int32_t start = first; some && start < end; start += TILE) {
-        int32_t n = tile(start, end);
-        sum_across(sums, blur, 1 << (blur->bits + 5), start, n);
-        for (int32_t i = 0; i < n; i++) {
-            dst[start + i] = (uint8_t)(sums[i] >> (blur->bits + 6));
+    if (some && blur->radius == 0) {
+        memcpy(dst + first, iris_rows_at(&blur->rows, 0) + first, (size_t)(end - first));
+    } else if (some && blur->radius <= IRIS_BELL_RADIUS) {
+        iris_row_bell_across_u8(dst + first, blur->middle + first, blur->weights, blur->radius,
+                                blur->rows.channels, end - first);
+    } else {
+        for (int32_t start = first; some && start < end; start += TILE) {
+            int32_t n = tile(start, end);
+            sum_across(sums, blur, 1 << (blur->bits + 5), start, n);
+            for (int32_t i = 0; i < n; i++) {
+                dst[start + i] = (uint8_t)(sums[i] >> (blur->bits + 6));
+            }
         }
     }
     iris_rows_next(&blur->rows);
@@ -128,7 +152,14 @@ void iris_blur_rows_next_q6(iris_blur_rows *blur, int16_t *dst)
 {
     int32_t first, end, sums[TILE];
     int32_t some = make_middle(blur, &first, &end);
-    for (int32_t start = first; some && start < end; start += TILE) {
+    for (int32_t i = first; some && blur->radius == 0 && i < end; i++) {
+        dst[i] = (int16_t)(64 * iris_rows_at(&blur->rows, 0)[i]);
+    }
+    if (some && blur->radius > 0 && blur->radius <= IRIS_BELL_RADIUS) {
+        iris_row_bell_across(dst + first, blur->middle + first, blur->weights, blur->radius,
+                             blur->rows.channels, end - first);
+    }
+    for (int32_t start = first; some && blur->radius > IRIS_BELL_RADIUS && start < end; start += TILE) {
         int32_t n = tile(start, end);
         sum_across(sums, blur, 1 << (blur->bits - 1), start, n);
         for (int32_t i = 0; i < n; i++) {

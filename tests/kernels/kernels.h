@@ -12,7 +12,7 @@
 #include "kernel.h"
 #include "test.h"
 
-enum { KERNEL_ROWS = 10, KERNEL_ROOM = 1 << 14 };
+enum { KERNEL_ROWS = 12, KERNEL_ROOM = 1 << 14 };
 
 typedef void (*any_function)(void);
 

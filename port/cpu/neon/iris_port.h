@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 24
+#define IRIS_PORT_OVERRIDES 27
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -81,5 +81,17 @@ void iris_row_halve_u16_neon(uint8_t *dst, const uint16_t *sums, int32_t n);
 
 void iris_row_integral_u8_neon(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
 #define iris_row_integral_u8 iris_row_integral_u8_neon
+
+void iris_row_bell_down_neon(int16_t *dst, const uint8_t *const *rows, const int16_t *weights, int32_t radius,
+                             int32_t n);
+#define iris_row_bell_down iris_row_bell_down_neon
+
+void iris_row_bell_across_neon(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                               int32_t step, int32_t n);
+#define iris_row_bell_across iris_row_bell_across_neon
+
+void iris_row_bell_across_u8_neon(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                                  int32_t step, int32_t n);
+#define iris_row_bell_across_u8 iris_row_bell_across_u8_neon
 
 #endif
