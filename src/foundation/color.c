@@ -51,10 +51,8 @@ static void rgb_from_yuv(uint8_t *dst, const uint8_t *src, int32_t n, int y)
     for (int32_t x = 0; x < n; x += PIECE) {
         uint8_t luma[PIECE], chroma[PIECE];
         int32_t count = n - x < PIECE ? n - x : PIECE;
-        for (int32_t i = 0; i < count; i++, src += 2) {
-            luma[i] = src[y];
-            chroma[i] = src[1 - y];
-        }
+        iris_row_every_second_u8(luma, src + 2 * x, y, count);
+        iris_row_every_second_u8(chroma, src + 2 * x, 1 - y, count);
         iris_row_rgb888_nv12(dst + 3 * x, luma, chroma, count);
     }
 }
@@ -144,10 +142,9 @@ static void gray_row(uint8_t *dst, const uint8_t *src, iris_format format, int32
     } else if (format == IRIS_RGB888 || format == IRIS_BGR888) {
         gray_from_888(dst, src, n, method, format == IRIS_BGR888);
     } else if (method == IRIS_GRAY_LUMA && (format == IRIS_YUYV || format == IRIS_UYVY)) {
-        src += format == IRIS_UYVY;
-        for (int32_t i = 0; i < n; i++) {
-            dst[i] = src[2 * i];
-        }
+        iris_row_every_second_u8(dst, src, format == IRIS_UYVY, n);
+    } else if (method == IRIS_GRAY_LUMA && format == IRIS_RGBA8888) {
+        iris_row_luma_rgba8888(dst, src, n);
     } else { /* two or four bytes per pixel */
         for (int32_t x = 0; x < n; x += PIECE) {
             uint8_t rgb[3 * PIECE];

@@ -18,6 +18,13 @@ void iris_row_luma_bgr888_c(uint8_t *dst, const uint8_t *src, int32_t n)
     luma_row(dst, src, n, 2);
 }
 
+void iris_row_luma_rgba8888_c(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++, src += 4) {
+        dst[i] = (uint8_t)((77u * src[0] + 150u * src[1] + 29u * src[2] + 128u) >> 8);
+    }
+}
+
 void iris_row_swap_888_c(uint8_t *dst, const uint8_t *src, int32_t n)
 {
     for (int32_t i = 0; i < n; i++, src += 3, dst += 3) {

@@ -53,6 +53,12 @@ void iris_row_luma_bgr888_c(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_bgr888 iris_row_luma_bgr888_c
 #endif
 
+/* The same of RGBA8888. */
+void iris_row_luma_rgba8888_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_luma_rgba8888
+#define iris_row_luma_rgba8888 iris_row_luma_rgba8888_c
+#endif
+
 /* dst = src with bytes 0 and 2 of each pixel exchanged. dst may be src. */
 void iris_row_swap_888_c(uint8_t *dst, const uint8_t *src, int32_t n);
 #ifndef iris_row_swap_888
@@ -167,6 +173,12 @@ void iris_row_spread_left_u16_c(uint16_t *row, uint16_t step, int32_t n);
 void iris_row_rgb888_nv12_c(uint8_t *dst, const uint8_t *luma, const uint8_t *chroma, int32_t n);
 #ifndef iris_row_rgb888_nv12
 #define iris_row_rgb888_nv12 iris_row_rgb888_nv12_c
+#endif
+
+/* dst[i] = src[2 i + which], which is 0 or 1: Y of YUYV, and what is not Y. */
+void iris_row_every_second_u8_c(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n);
+#ifndef iris_row_every_second_u8
+#define iris_row_every_second_u8 iris_row_every_second_u8_c
 #endif
 
 /* dst = the colors of a row of a Bayer picture, as bayer.h says. The row is rows[1], between those above and below

@@ -15,6 +15,13 @@ void iris_row_rgb888_nv12_c(uint8_t *dst, const uint8_t *luma, const uint8_t *ch
     }
 }
 
+void iris_row_every_second_u8_c(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = src[2 * i + which];
+    }
+}
+
 static inline uint8_t mean2(uint32_t a, uint32_t b)
 {
     return (uint8_t)((a + b + 1u) >> 1);

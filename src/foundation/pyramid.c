@@ -177,20 +177,20 @@ static void sum_three_rows(sum_rows *sum, int between)
     }
 }
 
-/* The dst pixels that belong to src pixels x to below end. */
+/* The dst pixels that belong to src pixels x to below end. An odd width has no second one at the last of them. */
 static void double_row(const iris_image *dst, int32_t y, const sum_rows *sum, int32_t x, int32_t end)
 {
-    const int32_t step = sum->rows.channels;
-    uint8_t *row = iris_image_row(dst, y);
-    for (; x < end; x++) {
-        for (int32_t c = 0; c < step; c++) {
-            const uint16_t *s = sum->sums + x * step + c;
-            uint8_t *to = row + 2 * x * step + c;
+    const int32_t step = sum->rows.channels, pairs = end < dst->w / 2 ? end : dst->w / 2;
+    const uint16_t *s = sum->sums + x * step;
+    uint8_t *to = (uint8_t *)iris_image_row(dst, y) + 2 * x * step;
+    for (; x < pairs; x++, to += step) {
+        for (int32_t c = 0; c < step; c++, s++, to++) {
             to[0] = (uint8_t)(((uint32_t)s[-step] + 6u * s[0] + s[step] + 32u) >> 6);
-            if (2 * x + 1 < dst->w) {
-                to[step] = (uint8_t)((4u * ((uint32_t)s[0] + s[step]) + 32u) >> 6);
-            }
+            to[step] = (uint8_t)((4u * ((uint32_t)s[0] + s[step]) + 32u) >> 6);
         }
+    }
+    for (int32_t c = 0; x < end && c < step; c++, s++) {
+        to[c] = (uint8_t)(((uint32_t)s[-step] + 6u * s[0] + s[step] + 32u) >> 6);
     }
 }
 

@@ -192,6 +192,22 @@ static uint64_t sum_area(const iris_image *src, const cover *rows, const cover *
     return sum;
 }
 
+/* To half of both sides: the mean of four, without a division. */
+static void halve(const iris_image *dst, const iris_image *src)
+{
+    const int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;
+    for (int32_t y = 0; y < dst->h; y++) {
+        uint8_t *to = iris_image_row(dst, y);
+        const uint8_t *upper = iris_image_row(src, 2 * y), *lower = iris_image_row(src, 2 * y + 1);
+        for (int32_t x = 0; x < dst->w; x++, upper += channels, lower += channels) {
+            for (int32_t c = 0; c < channels; c++, upper++, lower++) {
+                *to++ =
+                    (uint8_t)(((uint32_t)upper[0] + upper[channels] + lower[0] + lower[channels] + 2u) >> 2);
+            }
+        }
+    }
+}
+
 iris_status iris_resize_area(const iris_image *dst, const iris_image *src)
 {
     iris_status status = check_resize(dst, src);
@@ -199,6 +215,10 @@ iris_status iris_resize_area(const iris_image *dst, const iris_image *src)
         return status;
     }
     const int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;
+    if (src->w == 2 * dst->w && src->h == 2 * dst->h) {
+        halve(dst, src);
+        return IRIS_OK;
+    }
     const uint64_t area = (uint64_t)src->w * (uint64_t)src->h;
     walk down = walk_edges(dst->h, src->h);
     for (int32_t y = 0; y < dst->h; y++) {

@@ -31,11 +31,35 @@ static inline void reverse_pixels(uint8_t *row, int32_t n, size_t bytes)
     }
 }
 
+static inline uint64_t reversed_bytes(uint64_t word)
+{
+    word = (word >> 8 & 0x00FF00FF00FF00FFu) | (word & 0x00FF00FF00FF00FFu) << 8;
+    word = (word >> 16 & 0x0000FFFF0000FFFFu) | (word & 0x0000FFFF0000FFFFu) << 16;
+    return word >> 32 | word << 32;
+}
+
+/* Eight at a time from both ends, until they would meet. */
+static void reverse_bytes(uint8_t *row, int32_t n)
+{
+    for (; n >= 16; n -= 16, row += 8) {
+        uint64_t left, right;
+        memcpy(&left, row, 8);
+        memcpy(&right, row + n - 8, 8);
+        left = reversed_bytes(left);
+        right = reversed_bytes(right);
+        memcpy(row, &right, 8);
+        memcpy(row + n - 8, &left, 8);
+    }
+    if (n > 0) {
+        reverse_pixels(row, n, 1);
+    }
+}
+
 static void reverse_row(uint8_t *row, int32_t n, size_t bytes)
 {
     switch (bytes) {
     case 1:
-        reverse_pixels(row, n, 1);
+        reverse_bytes(row, n);
         break;
     case 2:
         reverse_pixels(row, n, 2);
@@ -181,10 +205,12 @@ static void mirror_x(const iris_image *image)
 
 static void exchange(uint8_t *a, uint8_t *b, size_t bytes)
 {
-    for (size_t i = 0; i < bytes; i++) {
-        uint8_t byte = a[i];
-        a[i] = b[i];
-        b[i] = byte;
+    uint8_t part[64];
+    for (size_t done = 0, count; done < bytes; done += count) {
+        count = bytes - done < sizeof part ? bytes - done : sizeof part;
+        memcpy(part, a + done, count);
+        memcpy(a + done, b + done, count);
+        memcpy(b + done, part, count);
     }
 }
 

@@ -20,11 +20,24 @@ static void run_bayer(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_888_bayer)(rows[0], around, own, green, n);
 }
 
+static int32_t which;
+
+static void choose_which(void)
+{
+    which = (int32_t)random_below(2);
+}
+
+static void run_every_second(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_every_second_u8)(rows[0], rows[1], which, n);
+}
+
 #define ROW_PAIRS ROW(2, 2, 1, fill_u8)
 #define ROW_NEXT  ROW_U8_AROUND(1, 1)
 
 static const kernel_case cases[] = {
     {KERNEL(iris_row_rgb888_nv12), run_nv12, NULL, {ROW_888, ROW_U8, ROW_PAIRS}},
+    {KERNEL(iris_row_every_second_u8), run_every_second, choose_which, {ROW_U8, ROW(1, 2, 1, fill_u8)}},
     {KERNEL(iris_row_888_bayer), run_bayer, choose_place, {ROW_888, ROW_NEXT, ROW_NEXT, ROW_NEXT}},
 };
 
@@ -56,6 +69,24 @@ static void truth_of_nv12(void **state)
     }
 }
 
+static void truth_of_every_second(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (which = 0; which < 2; which++) {
+            uint8_t src[2 * N], dst[N], *rows[] = {dst, src};
+            for (int i = 0; i < 2 * N; i++) {
+                src[i] = (uint8_t)(255 - i);
+            }
+            run_every_second(plain, rows, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(dst[i], 255 - 2 * i - which);
+            }
+        }
+    }
+}
+
 /* Rows that rise: each mean is the value between. Above is 10 less, below 10 more. */
 static void truth_of_bayer(void **state)
 {
@@ -81,6 +112,7 @@ static int truths(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_nv12),
+        cmocka_unit_test(truth_of_every_second),
         cmocka_unit_test(truth_of_bayer),
     };
     return cmocka_run_group_tests_name("kernels of cameras", tests, NULL, NULL);

@@ -26,6 +26,11 @@ static void run_luma_bgr888(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_luma_bgr888)(rows[0], rows[1], n);
 }
 
+static void run_luma_rgba8888(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_luma_rgba8888)(rows[0], rows[1], n);
+}
+
 static void run_swap(int plain, uint8_t **rows, int32_t n)
 {
     BODY(plain, iris_row_swap_888)(rows[0], rows[1], n);
@@ -44,6 +49,7 @@ static void run_hsl_range(int plain, uint8_t **rows, int32_t n)
 static const kernel_case cases[] = {
     {KERNEL(iris_row_luma_rgb888), run_luma_rgb888, NULL, {ROW_U8, ROW_888}},
     {KERNEL(iris_row_luma_bgr888), run_luma_bgr888, NULL, {ROW_U8, ROW_888}},
+    {KERNEL(iris_row_luma_rgba8888), run_luma_rgba8888, NULL, {ROW_U8, ROW(1, 4, 1, fill_u8)}},
     {KERNEL(iris_row_swap_888), run_swap, NULL, {ROW_888, ROW_888}},
     {KERNEL(iris_row_swap_888), run_swap_in_place, NULL, {ROW_888}},
     {KERNEL(iris_row_hsl_range), run_hsl_range, choose_range, {ROW_MASK, ROW_888}},
@@ -84,11 +90,13 @@ static void truth_of_luma(void **state)
     static const uint8_t colors[6][3] = {{255, 255, 255}, {0, 0, 0},   {255, 0, 0},
                                          {0, 255, 0},     {0, 0, 255}, {1, 2, 3}};
     static const uint8_t as_rgb[6] = {255, 0, 77, 149, 29, 2}, as_bgr[6] = {255, 0, 29, 149, 77, 2};
-    uint8_t src[3 * N], dst[N];
+    uint8_t src[3 * N], with_alpha[4 * N], dst[N];
     for (int i = 0; i < N; i++) {
         memcpy(src + 3 * i, colors[i % 6], 3);
+        memcpy(with_alpha + 4 * i, colors[i % 6], 3);
+        with_alpha[4 * i + 3] = (uint8_t)(i % 2 * 255);
     }
-    uint8_t *rows[] = {dst, src};
+    uint8_t *rows[] = {dst, src}, *rows_with_alpha[] = {dst, with_alpha};
     BOTH_BODIES(plain)
     {
         run_luma_rgb888(plain, rows, N);
@@ -98,6 +106,10 @@ static void truth_of_luma(void **state)
         run_luma_bgr888(plain, rows, N);
         for (int i = 0; i < N; i++) {
             assert_int_equal(dst[i], as_bgr[i % 6]);
+        }
+        run_luma_rgba8888(plain, rows_with_alpha, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(dst[i], as_rgb[i % 6]);
         }
     }
 }

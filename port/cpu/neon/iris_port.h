@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 27
+#define IRIS_PORT_OVERRIDES 29
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -93,5 +93,11 @@ void iris_row_bell_across_neon(int16_t *dst, const int16_t *src, const int16_t *
 void iris_row_bell_across_u8_neon(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                                   int32_t step, int32_t n);
 #define iris_row_bell_across_u8 iris_row_bell_across_u8_neon
+
+void iris_row_luma_rgba8888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
+#define iris_row_luma_rgba8888 iris_row_luma_rgba8888_neon
+
+void iris_row_every_second_u8_neon(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n);
+#define iris_row_every_second_u8 iris_row_every_second_u8_neon
 
 #endif

@@ -40,6 +40,15 @@ void iris_row_luma_bgr888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
     luma_row(dst, src, n, 2);
 }
 
+void iris_row_luma_rgba8888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (; n >= 8; n -= 8, dst += 8, src += 32) {
+        uint8x8x4_t pixels = vld4_u8(src);
+        vst1_u8(dst, luma_of_8(pixels.val[0], pixels.val[1], pixels.val[2]));
+    }
+    iris_row_luma_rgba8888_c(dst, src, n);
+}
+
 void iris_row_swap_888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
 {
     for (; n >= 16; n -= 16, src += 48, dst += 48) {

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 27
+#define IRIS_PORT_OVERRIDES 29
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -93,5 +93,11 @@ void iris_row_bell_across_sse(int16_t *dst, const int16_t *src, const int16_t *w
 void iris_row_bell_across_u8_sse(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                                  int32_t step, int32_t n);
 #define iris_row_bell_across_u8 iris_row_bell_across_u8_sse
+
+void iris_row_luma_rgba8888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
+#define iris_row_luma_rgba8888 iris_row_luma_rgba8888_sse
+
+void iris_row_every_second_u8_sse(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n);
+#define iris_row_every_second_u8 iris_row_every_second_u8_sse
 
 #endif

@@ -48,6 +48,32 @@ void iris_row_luma_bgr888_sse(uint8_t *dst, const uint8_t *src, int32_t n)
     luma_row(dst, src, n, _mm_setr_epi8(29, 99, 29, 99, 29, 99, 29, 99, 51, 77, 51, 77, 51, 77, 51, 77));
 }
 
+/* Green once more in the place of alpha, so that each pixel has two sums of two products. */
+static inline __m128i luma_of_4_rgba(const uint8_t *bytes)
+{
+    const __m128i order = _mm_setr_epi8(0, 1, 1, 2, 4, 5, 5, 6, 8, 9, 9, 10, 12, 13, 13, 14);
+    return half_sums(bytes, order,
+                     _mm_setr_epi8(77, 51, 99, 29, 77, 51, 99, 29, 77, 51, 99, 29, 77, 51, 99, 29));
+}
+
+static inline __m128i luma_of_8_rgba(const uint8_t *bytes)
+{
+    __m128i sum = _mm_hadd_epi16(luma_of_4_rgba(bytes), luma_of_4_rgba(bytes + 16));
+    return _mm_srli_epi16(_mm_add_epi16(sum, _mm_set1_epi16(128)), 8);
+}
+
+void iris_row_luma_rgba8888_sse(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    if (n < 16) {
+        iris_row_luma_rgba8888_c(dst, src, n);
+        return;
+    }
+    for (int32_t x = 0; x < n; x += 16) {
+        x = x > n - 16 ? n - 16 : x;
+        store16(dst + x, _mm_packus_epi16(luma_of_8_rgba(src + 4 * x), luma_of_8_rgba(src + 4 * x + 32)));
+    }
+}
+
 /* Five pixels in 16 bytes; the last byte stays as it is and is written again with the next five. The next vector is
  * loaded before this one is stored, so that in place a load never waits for the store before it. */
 void iris_row_swap_888_sse(uint8_t *dst, const uint8_t *src, int32_t n)
