@@ -1,6 +1,6 @@
 /* A hundred thousand random calls of every operation on pictures: whatever it is given, it returns a status, reads and writes
- * what is its own, and leaves the rest as it was. The same calls in every run; `random_calls N` makes call N alone,
- * and `random_calls N COUNT` COUNT from N on: other ones for as long as one likes. */
+ * what is its own, and leaves the rest as it was. The same calls in every run, on one kind of processor. `random_calls N`
+ * makes call N alone, and `random_calls N COUNT` COUNT from N on: other ones for as long as one likes. */
 #include <dirent.h>
 #include <stdio.h>
 

@@ -280,7 +280,7 @@ static int shared(iris_image *image, iris_format format, iris_size size)
     *image = other;
     image->format = format;
     uint32_t roll = draw_below(6);
-    if (roll == 0) {
+    if (roll == 0 && image->stride > -POOL && image->stride < POOL) {
         image->data = (uint8_t *)image->data + (draw_chance(2) ? image->stride : -image->stride);
     } else if (roll == 1) {
         image->data = (uint8_t *)image->data + 4 * draw_within(-4, 4);
