@@ -39,6 +39,11 @@ static void wrap_checks_size_and_alignment(void **state)
                      IRIS_ERR_ALIGN);
     assert_int_equal(iris_image_wrap(&image, NULL, 64, (iris_size){4, 3}, 0, IRIS_GRAY8), IRIS_ERR_ARG);
     assert_int_equal(iris_image_wrap(&image, bytes, 64, (iris_size){4, 3}, 0, (iris_format)0), IRIS_ERR_ARG);
+    assert_int_equal(iris_image_wrap(&image, bytes, SIZE_MAX, (iris_size){4, 2}, PTRDIFF_MIN, IRIS_GRAY8),
+                     IRIS_ERR_RANGE); /* no memory is that large */
+    assert_int_equal(
+        iris_image_wrap(&image, bytes, (size_t)PTRDIFF_MAX + 1, (iris_size){4, 3}, 0, IRIS_GRAY8),
+        IRIS_ERR_RANGE);
     assert_int_equal(iris_image_wrap(&image, bytes, SIZE_MAX, (iris_size){4, 3}, PTRDIFF_MIN, IRIS_GRAY8),
                      IRIS_ERR_RANGE);
 }

@@ -7,7 +7,7 @@
 #include "calls/calls.h"
 #include "test.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(IRIS_CHECKED)
 #include <sanitizer/common_interface_defs.h>
 #endif
 
@@ -112,7 +112,7 @@ static void every_operation_is_called(void **state)
     assert_int_equal(count, function_count);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(IRIS_CHECKED)
 static void say_which(void)
 {
     fprintf(stderr, "call %lu, %s\n", (unsigned long)current, functions[current % function_count]->name);
@@ -130,7 +130,7 @@ int main(int argc, char **argv)
         first_call = (uint32_t)strtoul(argv[1], NULL, 10);
         end_call = first_call + (argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 1);
     }
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(IRIS_CHECKED)
     __sanitizer_set_death_callback(say_which);
 #endif
     const struct CMUnitTest tests[] = {

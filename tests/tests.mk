@@ -102,7 +102,9 @@ FUZZ_MAKE = $(MAKE) -s CC=clang CROSS_COMPILE= PORT=generic OPT=-O1 CHECKED=1 FU
 $(OUT)/fuzz/%: tests/fuzz/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
-	$(Q)$(CC) $(USERWARN) $(BASE) -fsanitize=fuzzer -Iinclude -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
+	$(Q)$(CC) $(USERWARN) $(BASE) -fsanitize=fuzzer -Iinclude -o $@ $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS) $(FUZZ_LIBS)
+$(OUT)/fuzz/calls: $(CALLS_OBJ)
+$(OUT)/fuzz/calls: FUZZ_LIBS := -lcmocka
 
 FUZZ_RUNS ?= 20000
 FUZZ_TIME ?= 60
@@ -164,7 +166,7 @@ $(foreach p,$(PORTS),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHE
 $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/include/cmocka.h,$(A64) verify-host))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))
-$(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang,$(FUZZ_MAKE) verify-fuzz)))
+$(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))
 $(if $(EXAMPLES),$(eval $(call layer,examples,layer-$(PORT)-checked,,$(NATIVE) CHECKED=1 verify-examples)))
 $(if $(SCRIPTS),$(eval $(call layer,scripts,layer-$(PORT),,$(NATIVE) verify-scripts)))
 QUICK := house $(PORT)

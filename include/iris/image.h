@@ -67,7 +67,7 @@ size_t iris_format_row_bytes(iris_format format, int32_t w);
  * The last row needs no padding behind it. data and stride must be multiples of 2 for the 16-bit formats and of 4 for
  * IRIS_GRAY_U32 and IRIS_MASK1.
  * IRIS_ERR_ARG: null pointer or unknown format; IRIS_ERR_RANGE: a side outside 1..IRIS_SIDE_MAX, odd w of a YUV 4:2:2
- * format, |stride| below a row, or more bytes needed than given; IRIS_ERR_ALIGN. O(1). */
+ * format, |stride| below a row, more bytes needed than given, or more given than PTRDIFF_MAX; IRIS_ERR_ALIGN. O(1). */
 iris_status iris_image_wrap(iris_image *image, void *buffer, size_t bytes, iris_size size, ptrdiff_t stride,
                             iris_format format);
 

@@ -84,7 +84,8 @@ iris_status iris_image_wrap(iris_image *image, void *buffer, size_t bytes, iris_
     }
     size_t step = stride == 0 ? row : magnitude(stride);
     size_t rows_before = (size_t)size.h - 1;
-    if (step < row || bytes < row || (rows_before > 0 && step > (bytes - row) / rows_before)) {
+    if (step < row || bytes < row || bytes > PTRDIFF_MAX ||
+        (rows_before > 0 && step > (bytes - row) / rows_before)) {
         return IRIS_ERR_RANGE;
     }
     if ((uintptr_t)buffer % alignment(format) != 0 || step % alignment(format) != 0) {

@@ -4,7 +4,7 @@
 
 #include "test.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(IRIS_CHECKED)
 #include <sanitizer/asan_interface.h>
 #define FORBID(start, bytes) __asan_poison_memory_region(start, bytes)
 #define ALLOW(start, bytes)  __asan_unpoison_memory_region(start, bytes)
@@ -38,6 +38,8 @@ static struct {
     scratch_kind kind;
     int has_scratch, keeps_scratch, overlaps, is_wrong;
     uint64_t random;
+    const uint8_t *choices; /* what the draws are, as long as there are any */
+    size_t choice_bytes;
     uint32_t number;
     const char *name;
     int accepted;
@@ -46,12 +48,23 @@ static struct {
 /* ---- numbers ---- */
 
 /* Splitmix64: S. Vigna, 2015. */
-static uint64_t next_random(void)
+static uint64_t noise(void)
 {
     uint64_t z = world.random += 0x9e3779b97f4a7c15u;
     z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
     z = (z ^ z >> 27) * 0x94d049bb133111ebu;
     return z ^ z >> 31;
+}
+
+static uint64_t next_random(void)
+{
+    if (world.choice_bytes < 2) {
+        return noise();
+    }
+    uint64_t choice = world.choices[0] | (uint64_t)world.choices[1] << 8;
+    world.choices += 2;
+    world.choice_bytes -= 2;
+    return choice * 0x0001000100010001u;
 }
 
 uint32_t draw_below(uint32_t end)
@@ -124,10 +137,10 @@ static void fill(uint8_t *bytes, size_t count)
 {
     uint32_t kind = draw_below(6), step = draw_below(8), level = draw_below(256);
     for (size_t i = 0; i < count; i++) {
-        if (kind == 1 && draw_below(8) == 0) {
+        if (kind == 1 && noise() % 8 == 0) {
             level = 255 - level;
         }
-        bytes[i] = (uint8_t)(kind < 2 ? level : kind == 2 ? i * step : next_random());
+        bytes[i] = (uint8_t)(kind < 2 ? level : kind == 2 ? i * step : noise());
     }
 }
 
@@ -140,7 +153,7 @@ static uint8_t *take(size_t bytes, size_t room)
                  world.name);
     }
     for (size_t i = world.used / 8; i < (first + bytes + room + 7) / 8; i++) {
-        world.now.words[i] = i * 8 < world.used ? world.now.words[i] : next_random();
+        world.now.words[i] = i * 8 < world.used ? world.now.words[i] : noise();
     }
     world.used = first + bytes + room;
     return world.now.bytes + first;
@@ -387,9 +400,16 @@ void calls_start(uint32_t number, const char *name)
     world.blocks = world.view_count = 0;
     world.has_scratch = world.keeps_scratch = world.overlaps = world.is_wrong = 0;
     world.random = number;
+    world.choice_bytes = 0;
     world.number = number;
     world.name = name;
     world.accepted = 0;
+}
+
+void calls_choose(const uint8_t *choices, size_t bytes)
+{
+    world.choices = choices;
+    world.choice_bytes = bytes;
 }
 
 int calls_accepted(void)

@@ -72,8 +72,10 @@ void draw_scratch_is_kept(void);
 void calls_begin(void);
 void calls_end(iris_status status);
 
-/* For tests/random_calls.c: the call of this number begins; 1 when what CALL made was done, 0 when refused. */
+/* For tests/random_calls.c: the call of this number begins; 1 when what CALL made was done, 0 when refused. For
+ * tests/fuzz/calls.c: what is drawn, two bytes each time; behind their end it is random again. */
 void calls_start(uint32_t number, const char *name);
+void calls_choose(const uint8_t *choices, size_t bytes);
 int calls_accepted(void);
 
 #endif

@@ -21,10 +21,10 @@ $(OUT)/bench.elf: $(call BENCH,$(BENCH_CASES) count) $(START) $(LIB)
 
 # RESULT names the column. A count and the line that names it belong together by their order.
 count-target: $(OUT)/bench.elf
-	@QEMU_FLAGS="-plugin $(COUNTER),out=$(OUT)/counts" tests/target/run $(MACHINE) $< > $(OUT)/cases
+	@QEMU_FLAGS="-plugin $(COUNTER),out=$(OUT)/counts" tests/target/run $(MACHINE) $< > $(OUT)/cases || { tail -1 $(OUT)/cases; false; }
 	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
 count-user: $(OUT)/bench-count
-	@$(firstword $(RUNNER)) -plugin $(COUNTER),out=$(OUT)/counts $(wordlist 2,99,$(RUNNER)) $< > $(OUT)/cases
+	@$(firstword $(RUNNER)) -plugin $(COUNTER),out=$(OUT)/counts $(wordlist 2,99,$(RUNNER)) $< > $(OUT)/cases || { tail -1 $(OUT)/cases; false; }
 	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
 time-host: $(OUT)/bench-time
 	@$< > $(RESULTS)/$(RESULT)
