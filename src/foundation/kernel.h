@@ -33,6 +33,19 @@ typedef struct {
 /* The farthest that the bell kernels reach. */
 #define IRIS_BELL_RADIUS 5
 
+/* Where a row of gradients goes: dx, dy, and |dx| + |dy|. */
+typedef struct {
+    int16_t *dx, *dy, *size;
+} iris_row_gradient;
+
+/* Three rows of |dx| + |dy|, each readable from -1 to n, with dx and dy of the middle one. |dx| and |dy| are at most
+ * 1020; low and high 0 to 32767. */
+typedef struct {
+    const int16_t *size[3];
+    const int16_t *dx, *dy;
+    int32_t low, high;
+} iris_row_ridges;
+
 #include "iris_port.h"
 
 /* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
@@ -230,6 +243,39 @@ void iris_row_bell_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *
                                int32_t step, int32_t n);
 #ifndef iris_row_bell_across_u8
 #define iris_row_bell_across_u8 iris_row_bell_across_u8_c
+#endif
+
+/* Differences of the 3x3 pixels around, of three rows that are readable from -1 to n: dx is the sum of what the right
+ * ones are more than the left ones, and `more` 128ths (0 to 128) of the middle difference, rounded; dy the same down. */
+void iris_row_gradient_u8_c(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
+                            int32_t n);
+#ifndef iris_row_gradient_u8
+#define iris_row_gradient_u8 iris_row_gradient_u8_c
+#endif
+
+/* dst = size * gain, rounded, at most 255. size: not negative; gain below 16.0. */
+void iris_row_gain_s16_c(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n);
+#ifndef iris_row_gain_s16
+#define iris_row_gain_s16 iris_row_gain_s16_c
+#endif
+
+/* bit = src > limit; limit 0 to 32767. */
+void iris_row_above_s16_c(uint32_t *mask, const int16_t *src, int32_t limit, int32_t n);
+#ifndef iris_row_above_s16
+#define iris_row_above_s16 iris_row_above_s16_c
+#endif
+
+/* bit = the gradient is greatest across its edge, by the rules of iris/xt/canny.h, and above low (above high). */
+void iris_row_ridges_s16_c(uint32_t *weak, uint32_t *strong, const iris_row_ridges *rows, int32_t n);
+#ifndef iris_row_ridges_s16
+#define iris_row_ridges_s16 iris_row_ridges_s16_c
+#endif
+
+/* bit = the left and right neighbor, or the upper and lower one, differ by more than limit. Three rows, readable from
+ * -1 to n. */
+void iris_row_unlike_u8_c(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n);
+#ifndef iris_row_unlike_u8
+#define iris_row_unlike_u8 iris_row_unlike_u8_c
 #endif
 
 #endif

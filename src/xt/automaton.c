@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../foundation/kernel.h"
 #include "../foundation/rows.h"
 #include "edge_rows.h"
 #include "filter.h"
@@ -21,24 +22,7 @@ typedef struct {
     int32_t top, bottom; /* rows top to bottom - 1 */
 } cells;
 
-/* Bit i of a row's cells: its neighbors differ by more than threshold. The rows are readable one pixel beyond. */
-static void row_births(uint32_t *bits, const uint8_t *const rows[3], int32_t threshold, int32_t n)
-{
-    const uint8_t *above = rows[0], *here = rows[1], *below = rows[2];
-    const uint32_t span = 2 * (uint32_t)threshold;
-    for (int32_t start = 0; start < n; start += 32) {
-        int32_t end = n - start < 32 ? n : start + 32;
-        uint32_t word = 0;
-        for (int32_t x = end - 1; x >= start; x--) {
-            uint32_t across = (uint32_t)(here[x - 1] - here[x + 1] + threshold);
-            uint32_t down = (uint32_t)(above[x] - below[x] + threshold);
-            word = word << 1 | (uint32_t)(across > span || down > span);
-        }
-        bits[start / 32] = word;
-    }
-}
-
-static void births(const cells *c, iris_rows *rows, uint32_t *bits, int32_t threshold)
+static void births(const cells *c, iris_rows *rows, uint32_t *bits, uint8_t threshold)
 {
     for (; rows->y < c->mask->h; iris_rows_next(rows)) {
         if (rows->y < c->top || rows->y >= c->bottom) {
@@ -47,7 +31,7 @@ static void births(const cells *c, iris_rows *rows, uint32_t *bits, int32_t thre
         const uint8_t *const around[3] = {iris_rows_at(rows, -1), iris_rows_at(rows, 0),
                                           iris_rows_at(rows, 1)};
         uint32_t *row = (uint32_t *)iris_image_row(c->mask, rows->y);
-        row_births(bits, around, threshold, c->mask->w);
+        iris_row_unlike_u8(bits, around, threshold, c->mask->w);
         for (int32_t word = 0; word < c->words; word++) {
             row[word] = (row[word] & ~c->part[word]) | (bits[word] & c->part[word]);
         }

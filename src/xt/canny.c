@@ -2,10 +2,11 @@
 
 #include <string.h>
 
+#include "../foundation/kernel.h"
 #include "blur_rows.h"
-#include "canny_parts.h"
 #include "edge_rows.h"
 #include "filter.h"
+#include "hysteresis.h"
 
 /* A picture on its way through the steps, each a row behind the one before it. */
 typedef struct {
@@ -140,22 +141,25 @@ static int16_t *dy_row(const canny *c, int32_t y)
 
 static void make_gradient(const canny *c, int32_t y)
 {
-    const uint8_t *const rows[3] = {smooth_row(c, y - 1), smooth_row(c, y), smooth_row(c, y + 1)};
-    const int32_t beyond = c->margin + 1;
-    int16_t *dx = dx_row(c, y), *dy = dy_row(c, y), *size = size_row(c, y);
-    iris_edge_row(dx, dy, rows, IRIS_EDGE_SOBEL, beyond, c->src->w - beyond);
-    for (int32_t x = beyond; x < c->src->w - beyond; x++) {
-        size[x] = (int16_t)((dx[x] < 0 ? -dx[x] : dx[x]) + (dy[x] < 0 ? -dy[x] : dy[x]));
+    const int32_t first = c->margin + 1, n = c->src->w - 2 * first;
+    if (n > 0) {
+        const uint8_t *const rows[3] = {smooth_row(c, y - 1) + first, smooth_row(c, y) + first,
+                                        smooth_row(c, y + 1) + first};
+        const iris_row_gradient to = {dx_row(c, y) + first, dy_row(c, y) + first, size_row(c, y) + first};
+        iris_row_gradient_u8(&to, rows, IRIS_EDGE_MORE_SOBEL, n);
     }
 }
 
 /* Row y of the mask gets its strong pixels; words with pixels that are weak alone are to be looked at. */
 static void make_mask(const canny *c, int32_t y)
 {
-    const iris_canny_rows rows = {size_row(c, y - 1), size_row(c, y), size_row(c, y + 1), dx_row(c, y),
-                                  dy_row(c, y),       c->config.low,  c->config.high};
+    const iris_row_ridges rows = {{size_row(c, y - 1), size_row(c, y), size_row(c, y + 1)},
+                                  dx_row(c, y),
+                                  dy_row(c, y),
+                                  c->config.low,
+                                  c->config.high};
     uint32_t *weak = c->weak + (size_t)y * (size_t)c->words, *row = (uint32_t *)iris_image_row(c->mask, y);
-    iris_canny_suppress(weak, c->strong, &rows, c->src->w);
+    iris_row_ridges_s16(weak, c->strong, &rows, c->src->w);
     int32_t index = y * c->words;
     for (int32_t word = 0; word < c->words; word++, index++) {
         uint32_t part = c->part[word], strong = c->strong[word] & part;

@@ -91,7 +91,10 @@ static iris_status walk_end(const edge_walk *walk)
     return IRIS_OK;
 }
 
-/* One of four rows of values, 0 until written, readable one pixel beyond its ends. */
+/* One of four rows of values, 0 until written, readable one pixel beyond its ends: what the calls name DX to SIZE, or a
+ * ring of three. */
+enum { DX, DY, SIZE, SPARE };
+
 static int16_t *values_row(const edge_walk *walk, int32_t index)
 {
     return walk->values + (size_t)index * walk->row_step + 1;
@@ -108,8 +111,9 @@ static int walk_span(edge_walk *walk)
     return walk->end > 0 && walk->y < walk->src->h - 1;
 }
 
-/* The differences of row y, once for each row; 0 when none are to be evaluated. dy: null when there is one value. */
-static int walk_row(edge_walk *walk, int16_t *dx, int16_t *dy)
+/* The differences of row y, once for each row; 0 when none are to be evaluated. Where there is one value, it goes to
+ * dx, and the rest is not written. */
+static int walk_values(edge_walk *walk, int16_t *dx, int16_t *dy)
 {
     if (walk->config.op == IRIS_EDGE_LOG) {
         return iris_log_rows_next(&walk->log, dx, &walk->first, &walk->end);
@@ -117,10 +121,24 @@ static int walk_row(edge_walk *walk, int16_t *dx, int16_t *dy)
     if (!walk_span(walk)) {
         return 0;
     }
-    const uint8_t *const rows[3] = {iris_rows_at(&walk->rows, -1), iris_rows_at(&walk->rows, 0),
-                                    iris_rows_at(&walk->rows, 1)};
-    iris_edge_row(dx, dy, rows, walk->config.op, walk->first, walk->end);
+    const int32_t first = walk->first;
+    const uint8_t *const rows[3] = {iris_rows_at(&walk->rows, -1) + first,
+                                    iris_rows_at(&walk->rows, 0) + first,
+                                    iris_rows_at(&walk->rows, 1) + first};
+    const iris_row_gradient to = {dx + first, dy ? dy + first : NULL, values_row(walk, SIZE) + first};
+    iris_edge_row(&to, rows, walk->config.op, walk->end - first);
     return 1;
+}
+
+/* DX, DY, and SIZE of row y; 0 when none are to be evaluated. */
+static int walk_row(edge_walk *walk)
+{
+    int16_t *dx = values_row(walk, DX), *size = values_row(walk, SIZE);
+    int some = walk_values(walk, dx, values_row(walk, DY));
+    for (int32_t x = walk->first; some && has_one_value(walk->config.op) && x < walk->end; x++) {
+        size[x] = (int16_t)(dx[x] < 0 ? -dx[x] : dx[x]);
+    }
+    return some;
 }
 
 static void walk_next(edge_walk *walk)
@@ -131,12 +149,10 @@ static void walk_next(edge_walk *walk)
     }
 }
 
-static void put_row(const iris_image *dst, const edge_walk *walk, const int16_t *values)
+/* Row y of a view, or where values go that nobody wants. */
+static int16_t *row_or(const iris_image *dst, const edge_walk *walk, int32_t index)
 {
-    if (dst) {
-        int16_t *row = (int16_t *)iris_image_row(dst, walk->y);
-        memcpy(row + walk->first, values + walk->first, 2u * (size_t)(walk->end - walk->first));
-    }
+    return dst ? (int16_t *)iris_image_row(dst, walk->y) : values_row(walk, index);
 }
 
 iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const iris_image *src,
@@ -165,12 +181,8 @@ iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const
     if (status != IRIS_OK) {
         return status;
     }
-    int16_t *x_row = values_row(&walk, 0), *y_row = values_row(&walk, 1);
     for (; walk.y < src->h; walk_next(&walk)) {
-        if (walk_row(&walk, x_row, y_row)) {
-            put_row(dx, &walk, x_row);
-            put_row(dy, &walk, y_row);
-        }
+        (void)walk_values(&walk, row_or(dx, &walk, DX), row_or(dy, &walk, DY));
     }
     return walk_end(&walk);
 }
@@ -193,11 +205,6 @@ static iris_status walk_to(edge_walk *walk, const iris_image *dst, iris_format f
     return status == IRIS_OK ? walk_begin(walk, src, border, scratch) : status;
 }
 
-static int32_t magnitude(int32_t dx, int32_t dy)
-{
-    return (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
-}
-
 iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, const iris_edge_config *config,
                                 iris_border border, iris_scratch *scratch)
 {
@@ -206,19 +213,11 @@ iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, co
     if (status != IRIS_OK) {
         return status;
     }
-    const uint32_t gain = (uint32_t)walk.config.gain_q16;
-    const uint32_t white =
-        gain == 0 ? UINT32_MAX : (256u << 16) / gain + 1; /* from here on; no product overflows */
-    int16_t *dx = values_row(&walk, 0), *dy = values_row(&walk, 1);
     for (; walk.y < src->h; walk_next(&walk)) {
-        if (!walk_row(&walk, dx, dy)) {
-            continue;
-        }
-        uint8_t *row = (uint8_t *)iris_image_row(dst, walk.y);
-        for (int32_t x = walk.first; x < walk.end; x++) {
-            uint32_t size = (uint32_t)magnitude(dx[x], dy[x]);
-            uint32_t level = ((size < white ? size : white) * gain + 32768u) >> 16;
-            row[x] = (uint8_t)(level > 255 ? 255 : level);
+        if (walk_row(&walk)) {
+            uint8_t *row = (uint8_t *)iris_image_row(dst, walk.y) + walk.first;
+            iris_row_gain_s16(row, values_row(&walk, SIZE) + walk.first, (uint32_t)walk.config.gain_q16,
+                              walk.end - walk.first);
         }
     }
     return walk_end(&walk);
@@ -233,9 +232,9 @@ iris_status iris_edge_direction(const iris_image *dst, const iris_image *src, co
         return status;
     }
     const int32_t turn = walk.config.op == IRIS_EDGE_ROBERTS ? 8192 : 0;
-    int16_t *dx = values_row(&walk, 0), *dy = values_row(&walk, 1);
+    const int16_t *dx = values_row(&walk, DX), *dy = values_row(&walk, DY);
     for (; walk.y < src->h; walk_next(&walk)) {
-        if (!walk_row(&walk, dx, dy)) {
+        if (!walk_row(&walk)) {
             continue;
         }
         uint16_t *row = (uint16_t *)iris_image_row(dst, walk.y);
@@ -248,22 +247,16 @@ iris_status iris_edge_direction(const iris_image *dst, const iris_image *src, co
 
 static void mask_magnitude(const iris_image *mask, edge_walk *walk)
 {
-    const int32_t threshold = walk->config.threshold;
-    int16_t *dx = values_row(walk, 0), *dy = values_row(walk, 1);
+    uint32_t *bits = (uint32_t *)(walk->values + SPARE * walk->row_step);
     for (; walk->y < mask->h; walk_next(walk)) {
-        if (!walk_row(walk, dx, dy)) {
+        if (!walk_row(walk)) {
             continue;
         }
         uint32_t *row = (uint32_t *)iris_image_row(mask, walk->y);
-        for (int32_t word = walk->first / 32; 32 * word < walk->end; word++) {
-            uint32_t part = iris_mask_part(word, walk->first, walk->end), bits = 0;
-            for (int32_t i = 0; i < 32; i++) {
-                int32_t x = 32 * word + i;
-                if (part >> i & 1 && magnitude(dx[x], dy[x]) > threshold) {
-                    bits |= (uint32_t)1 << i;
-                }
-            }
-            row[word] = (row[word] & ~part) | bits;
+        iris_row_above_s16(bits, values_row(walk, SIZE), walk->config.threshold, mask->w);
+        for (int32_t word = 0; word < (mask->w + 31) / 32; word++) {
+            uint32_t part = iris_mask_part(word, walk->first, walk->end);
+            row[word] = (row[word] & ~part) | (bits[word] & part);
         }
     }
 }
@@ -307,13 +300,13 @@ static void mask_crossings(const iris_image *mask, edge_walk *walk)
 {
     const int32_t reach = walk->config.op == IRIS_EDGE_LOG ? IRIS_BLUR_RADIUS(walk->config.sigma_q16) : 0;
     const int32_t margin = walk->border.rule == IRIS_BORDER_SKIP ? reach + 2 : 0;
-    const int16_t *zeros = values_row(walk, 3);
+    const int16_t *zeros = values_row(walk, SPARE);
     const int16_t *values[3] = {zeros, zeros, zeros};
     for (int32_t y = 0; y <= mask->h; y++) {
         int16_t *next = values_row(walk, y % 3);
         values[0] = values[1];
         values[1] = values[2];
-        values[2] = y < mask->h && walk_row(walk, next, NULL) ? next : zeros;
+        values[2] = y < mask->h && walk_values(walk, next, NULL) ? next : zeros;
         if (y > margin && y <= mask->h - margin && margin < mask->w - margin) {
             row_crossings((uint32_t *)iris_image_row(mask, y - 1), values, walk->config.threshold, margin,
                           mask->w - margin);

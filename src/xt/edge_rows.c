@@ -1,58 +1,44 @@
 #include "edge_rows.h"
 
-static int16_t weighed(int32_t one, int32_t middle, int32_t other, int32_t more)
-{
-    return (int16_t)(one + middle + other + ((more * middle + 64) >> 7));
-}
-
-static void row_3x3(int16_t *dx, int16_t *dy, const uint8_t *const rows[3], int32_t more, int32_t first,
-                    int32_t end)
-{
-    const uint8_t *above = rows[0], *here = rows[1], *below = rows[2];
-    for (int32_t x = first; x < end; x++) {
-        dx[x] = weighed(above[x + 1] - above[x - 1], here[x + 1] - here[x - 1], below[x + 1] - below[x - 1],
-                        more);
-        dy[x] = weighed(below[x - 1] - above[x - 1], below[x] - above[x], below[x + 1] - above[x + 1], more);
-    }
-}
-
-static void row_roberts(int16_t *dx, int16_t *dy, const uint8_t *const rows[3], int32_t first, int32_t end)
+static void row_roberts(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t n)
 {
     const uint8_t *here = rows[1], *below = rows[2];
-    for (int32_t x = first; x < end; x++) {
-        dx[x] = (int16_t)(below[x + 1] - here[x]);
-        dy[x] = (int16_t)(below[x] - here[x + 1]);
+    for (int32_t x = 0; x < n; x++) {
+        int32_t dx = below[x + 1] - here[x], dy = below[x] - here[x + 1];
+        to->dx[x] = (int16_t)dx;
+        to->dy[x] = (int16_t)dy;
+        to->size[x] = (int16_t)((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
     }
 }
 
-static void row_laplacian(int16_t *value, const uint8_t *const rows[3], int32_t first, int32_t end)
+static void row_laplacian(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t n)
 {
     const uint8_t *above = rows[0], *here = rows[1], *below = rows[2];
-    for (int32_t x = first; x < end; x++) {
-        value[x] = (int16_t)(above[x] + below[x] + here[x - 1] + here[x + 1] - 4 * here[x]);
+    for (int32_t x = 0; x < n; x++) {
+        to->dx[x] = (int16_t)(above[x] + below[x] + here[x - 1] + here[x + 1] - 4 * here[x]);
     }
 }
 
-void iris_edge_row(int16_t *dx, int16_t *dy, const uint8_t *const rows[3], iris_edge_operator op,
-                   int32_t first, int32_t end)
+void iris_edge_row(const iris_row_gradient *to, const uint8_t *const rows[3], iris_edge_operator op,
+                   int32_t n)
 {
     switch (op) {
     case IRIS_EDGE_SOBEL:
-        row_3x3(dx, dy, rows, IRIS_EDGE_MORE_SOBEL, first, end);
+        iris_row_gradient_u8(to, rows, IRIS_EDGE_MORE_SOBEL, n);
         break;
     case IRIS_EDGE_PREWITT:
-        row_3x3(dx, dy, rows, IRIS_EDGE_MORE_PREWITT, first, end);
+        iris_row_gradient_u8(to, rows, IRIS_EDGE_MORE_PREWITT, n);
         break;
     case IRIS_EDGE_ISOTROPIC:
-        row_3x3(dx, dy, rows, IRIS_EDGE_MORE_ISOTROPIC, first, end);
+        iris_row_gradient_u8(to, rows, IRIS_EDGE_MORE_ISOTROPIC, n);
         break;
     case IRIS_EDGE_ROBERTS:
-        row_roberts(dx, dy, rows, first, end);
+        row_roberts(to, rows, n);
+        break;
+    case IRIS_EDGE_LAPLACIAN:
+        row_laplacian(to, rows, n);
         break;
     case IRIS_EDGE_LOG:
         break; /* log_rows.h */
-    case IRIS_EDGE_LAPLACIAN:
-        row_laplacian(dx, rows, first, end);
-        break;
     }
 }

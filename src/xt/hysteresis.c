@@ -1,4 +1,4 @@
-#include "canny_parts.h"
+#include "hysteresis.h"
 
 /* The words around a word, in one row: its own, and the nearest bit on either side. */
 static uint32_t near_in_row(const iris_hysteresis *h, int32_t y, int32_t word)

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 29
+#define IRIS_PORT_OVERRIDES 34
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -99,5 +99,21 @@ void iris_row_luma_rgba8888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 
 void iris_row_every_second_u8_neon(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n);
 #define iris_row_every_second_u8 iris_row_every_second_u8_neon
+
+void iris_row_gradient_u8_neon(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
+                               int32_t n);
+#define iris_row_gradient_u8 iris_row_gradient_u8_neon
+
+void iris_row_gain_s16_neon(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n);
+#define iris_row_gain_s16 iris_row_gain_s16_neon
+
+void iris_row_above_s16_neon(uint32_t *mask, const int16_t *src, int32_t limit, int32_t n);
+#define iris_row_above_s16 iris_row_above_s16_neon
+
+void iris_row_ridges_s16_neon(uint32_t *weak, uint32_t *strong, const iris_row_ridges *rows, int32_t n);
+#define iris_row_ridges_s16 iris_row_ridges_s16_neon
+
+void iris_row_unlike_u8_neon(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n);
+#define iris_row_unlike_u8 iris_row_unlike_u8_neon
 
 #endif

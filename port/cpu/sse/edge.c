@@ -1,0 +1,188 @@
+/* Edges: gradients, their sizes against limits, and where they are greatest. */
+#include "vector.h"
+
+static inline __m128i wide8(const uint8_t *from)
+{
+    return _mm_cvtepu8_epi16(_mm_loadl_epi64((const __m128i *)from));
+}
+
+/* The sum of three differences, and of the middle one what `more` (times 256) says; 0x8000 stands for all of it. */
+static inline __m128i weigh(__m128i one, __m128i middle, __m128i other, __m128i more, int is_sobel)
+{
+    __m128i extra = is_sobel ? middle : _mm_mulhrs_epi16(middle, more);
+    return _mm_add_epi16(_mm_add_epi16(one, other), _mm_add_epi16(middle, extra));
+}
+
+/* Eight pixels from i on. */
+static inline void gradient_8(const iris_row_gradient *to, const uint8_t *const rows[3], __m128i more,
+                              int is_sobel, int32_t i)
+{
+    const uint8_t *above = rows[0] + i, *here = rows[1] + i, *below = rows[2] + i;
+    __m128i above_left = wide8(above - 1), above_right = wide8(above + 1);
+    __m128i below_left = wide8(below - 1), below_right = wide8(below + 1);
+    __m128i dx =
+        weigh(_mm_sub_epi16(above_right, above_left), _mm_sub_epi16(wide8(here + 1), wide8(here - 1)),
+              _mm_sub_epi16(below_right, below_left), more, is_sobel);
+    __m128i dy = weigh(_mm_sub_epi16(below_left, above_left), _mm_sub_epi16(wide8(below), wide8(above)),
+                       _mm_sub_epi16(below_right, above_right), more, is_sobel);
+    store16(to->dx + i, dx);
+    store16(to->dy + i, dy);
+    store16(to->size + i, _mm_add_epi16(_mm_abs_epi16(dx), _mm_abs_epi16(dy)));
+}
+
+static inline void gradient(const iris_row_gradient *to, const uint8_t *const rows[3], __m128i more,
+                            int is_sobel, int32_t n)
+{
+    for (int32_t i = 0; i + 8 <= n; i += 8) {
+        gradient_8(to, rows, more, is_sobel, i);
+    }
+    gradient_8(to, rows, more, is_sobel, n - 8);
+}
+
+/* The last eight pixels may be some that were done before. */
+void iris_row_gradient_u8_sse(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
+                              int32_t n)
+{
+    if (n < 8) {
+        iris_row_gradient_u8_c(to, rows, more, n);
+    } else if (more == 128) {
+        gradient(to, rows, _mm_setzero_si128(), 1, n);
+    } else {
+        gradient(to, rows, _mm_set1_epi16((int16_t)(more * 256)), 0, n);
+    }
+}
+
+typedef struct {
+    __m128i white, whole, part;
+} gains;
+
+/* Eight sizes times the gain, rounded; above 255 and below 32768 where they are white. */
+static inline __m128i gain_8(const int16_t *size, const gains *by)
+{
+    __m128i sizes = _mm_min_epi16(load16(size), by->white);
+    __m128i high = _mm_mulhi_epu16(sizes, by->part), low = _mm_mullo_epi16(sizes, by->part);
+    return _mm_add_epi16(_mm_add_epi16(_mm_mullo_epi16(sizes, by->whole), high), _mm_srli_epi16(low, 15));
+}
+
+/* The last sixteen pixels may be some that were done before. */
+void iris_row_gain_s16_sse(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n)
+{
+    if (n < 16) {
+        iris_row_gain_s16_c(dst, size, gain_q16, n);
+        return;
+    }
+    const uint32_t white = gain_q16 <= 512 ? 32767 : (256u << 16) / gain_q16 + 1;
+    const gains by = {_mm_set1_epi16((int16_t)(white < 32767 ? white : 32767)),
+                      _mm_set1_epi16((int16_t)(gain_q16 >> 16)), _mm_set1_epi16((int16_t)gain_q16)};
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t at = i + 16 <= n ? i : n - 16;
+        store16(dst + at, _mm_packus_epi16(gain_8(size + at, &by), gain_8(size + at + 8, &by)));
+    }
+}
+
+static inline uint32_t above_32(const int16_t *src, __m128i limit)
+{
+    __m128i first =
+        _mm_packs_epi16(_mm_cmpgt_epi16(load16(src), limit), _mm_cmpgt_epi16(load16(src + 8), limit));
+    __m128i second =
+        _mm_packs_epi16(_mm_cmpgt_epi16(load16(src + 16), limit), _mm_cmpgt_epi16(load16(src + 24), limit));
+    return high_bits(first, second);
+}
+
+/* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */
+void iris_row_above_s16_sse(uint32_t *mask, const int16_t *src, int32_t limit, int32_t n)
+{
+    if (n < 32) {
+        iris_row_above_s16_c(mask, src, limit, n);
+        return;
+    }
+    const __m128i limits = _mm_set1_epi16((int16_t)limit);
+    int32_t words = n / 32, rest = n % 32;
+    for (int32_t word = 0; word < words; word++) {
+        mask[word] = above_32(src + 32 * word, limits);
+    }
+    if (rest > 0) {
+        iris_row_put_bits(&mask[words], above_32(src + n - 32, limits) >> (32 - rest), rest);
+    }
+}
+
+/* Eight pixels from i on: all ones where the size is greatest across the edge. */
+static inline __m128i ridge_8(const iris_row_ridges *rows, int32_t i)
+{
+    const int16_t *above = rows->size[0] + i, *here = rows->size[1] + i, *below = rows->size[2] + i;
+    __m128i dx = load16(rows->dx + i), dy = load16(rows->dy + i), size = load16(here);
+    __m128i across = _mm_abs_epi16(dx), down = _mm_abs_epi16(dy);
+    __m128i twice = _mm_add_epi16(across, across);
+    __m128i t = _mm_mulhi_epu16(twice, _mm_set1_epi16(13573));
+    __m128i is_steep = _mm_cmpgt_epi16(down, t);
+    __m128i is_upright = _mm_cmpgt_epi16(down, _mm_add_epi16(twice, t));
+    __m128i leans_left = _mm_srai_epi16(_mm_xor_si128(dx, dy), 15);
+    __m128i is_diagonal = _mm_andnot_si128(is_upright, is_steep);
+    __m128i before = _mm_blendv_epi8(load16(above - 1), load16(above + 1), leans_left);
+    __m128i after = _mm_blendv_epi8(load16(below + 1), load16(below - 1), leans_left);
+    before = _mm_blendv_epi8(_mm_blendv_epi8(load16(here - 1), before, is_steep), load16(above), is_upright);
+    after = _mm_blendv_epi8(_mm_blendv_epi8(load16(here + 1), after, is_steep), load16(below), is_upright);
+    /* Not below is above one less. */
+    after = _mm_add_epi16(after, _mm_xor_si128(is_diagonal, _mm_set1_epi16(-1)));
+    return _mm_and_si128(_mm_cmpgt_epi16(size, before), _mm_cmpgt_epi16(size, after));
+}
+
+/* 16 pixels from i on: bits of the weak ones, and above them of the strong ones. */
+static inline uint32_t ridges_16(const iris_row_ridges *rows, int32_t i, __m128i low, __m128i high)
+{
+    __m128i first = load16(rows->size[1] + i), second = load16(rows->size[1] + i + 8);
+    __m128i weak = _mm_packs_epi16(_mm_cmpgt_epi16(first, low), _mm_cmpgt_epi16(second, low));
+    if (_mm_movemask_epi8(weak) == 0) {
+        return 0;
+    }
+    weak = _mm_and_si128(weak, _mm_packs_epi16(ridge_8(rows, i), ridge_8(rows, i + 8)));
+    __m128i strong = _mm_packs_epi16(_mm_cmpgt_epi16(first, high), _mm_cmpgt_epi16(second, high));
+    return high_bits(weak, _mm_and_si128(weak, strong));
+}
+
+/* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */
+void iris_row_ridges_s16_sse(uint32_t *weak, uint32_t *strong, const iris_row_ridges *rows, int32_t n)
+{
+    if (n < 32) {
+        iris_row_ridges_s16_c(weak, strong, rows, n);
+        return;
+    }
+    const __m128i low = _mm_set1_epi16((int16_t)rows->low), high = _mm_set1_epi16((int16_t)rows->high);
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t count = n - start < 32 ? n - start : 32, from = start + count - 32;
+        uint32_t first = ridges_16(rows, from, low, high), second = ridges_16(rows, from + 16, low, high);
+        uint32_t weak_bits = (first & 0xffffu) | second << 16,
+                 strong_bits = first >> 16 | (second & 0xffff0000u);
+        iris_row_put_bits(&weak[start / 32], weak_bits >> (-count & 31), count);
+        iris_row_put_bits(&strong[start / 32], strong_bits >> (-count & 31), count);
+    }
+}
+
+/* How much two rows of bytes differ, either way. */
+static inline __m128i apart_16(const uint8_t *a, const uint8_t *b)
+{
+    __m128i first = load16(a), second = load16(b);
+    return _mm_or_si128(_mm_subs_epu8(first, second), _mm_subs_epu8(second, first));
+}
+
+static inline __m128i alike_16(const uint8_t *const rows[3], int32_t i, __m128i limit)
+{
+    __m128i most =
+        _mm_max_epu8(apart_16(rows[1] + i - 1, rows[1] + i + 1), apart_16(rows[0] + i, rows[2] + i));
+    return _mm_cmpeq_epi8(_mm_max_epu8(most, limit), limit);
+}
+
+/* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */
+void iris_row_unlike_u8_sse(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n)
+{
+    if (n < 32) {
+        iris_row_unlike_u8_c(mask, rows, limit, n);
+        return;
+    }
+    const __m128i limits = _mm_set1_epi8((char)limit);
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t count = n - start < 32 ? n - start : 32, from = start + count - 32;
+        uint32_t bits = ~high_bits(alike_16(rows, from, limits), alike_16(rows, from + 16, limits));
+        iris_row_put_bits(&mask[start / 32], bits >> (-count & 31), count);
+    }
+}

@@ -1,0 +1,147 @@
+/* Edges: the plain C bodies. */
+#include "kernel.h"
+
+static inline int16_t size_of(int32_t dx, int32_t dy)
+{
+    return (int16_t)((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+}
+
+/* What the middle difference counts beyond once; nothing is left to compute where `more` is a constant 128 or 0. */
+static inline int32_t extra(int32_t difference, int32_t more)
+{
+    return more == 128 ? difference : more == 0 ? 0 : (more * difference + 64) >> 7;
+}
+
+/* Column by column: each pixel is read once. */
+static inline void gradient(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
+                            int32_t n)
+{
+    const uint8_t *above = rows[0], *here = rows[1], *below = rows[2];
+    int32_t left_down = below[-1] - above[-1], left_sum = below[-1] + above[-1] + here[-1];
+    int32_t down = below[0] - above[0], sum = below[0] + above[0] + here[0];
+    for (int32_t i = 0; i < n; i++) {
+        int32_t next_down = below[i + 1] - above[i + 1];
+        int32_t next_sum = below[i + 1] + above[i + 1] + here[i + 1];
+        int32_t dx = next_sum - left_sum + extra(here[i + 1] - here[i - 1], more);
+        int32_t dy = left_down + down + next_down + extra(down, more);
+        to->dx[i] = (int16_t)dx;
+        to->dy[i] = (int16_t)dy;
+        to->size[i] = size_of(dx, dy);
+        left_down = down;
+        left_sum = sum;
+        down = next_down;
+        sum = next_sum;
+    }
+}
+
+void iris_row_gradient_u8_c(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
+                            int32_t n)
+{
+    if (n > 0 && more == 128) {
+        gradient(to, rows, 128, n);
+    } else if (n > 0) {
+        gradient(to, rows, more, n);
+    }
+}
+
+void iris_row_gain_s16_c(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n)
+{
+    const uint32_t white = gain_q16 == 0 ? UINT32_MAX : (256u << 16) / gain_q16 + 1;
+    for (int32_t i = 0; i < n; i++) {
+        uint32_t level = (uint32_t)size[i];
+        level = level >= white ? 255 : (level * gain_q16 + 32768u) >> 16;
+        dst[i] = (uint8_t)(level > 255 ? 255 : level);
+    }
+}
+
+void iris_row_above_s16_c(uint32_t *mask, const int16_t *src, int32_t limit, int32_t n)
+{
+    for (int32_t start = 0; start < n; start += 32, src += 32) {
+        int32_t count = n - start < 32 ? n - start : 32;
+        uint32_t bits = 0;
+        for (int32_t i = 0; i < count; i++) {
+            bits |= (uint32_t)(src[i] > limit) << i;
+        }
+        iris_row_put_bits(&mask[start / 32], bits, count);
+    }
+}
+
+/* Is the gradient of pixel i greatest across its edge? */
+static inline int is_ridge(const iris_row_ridges *rows, int32_t i)
+{
+    const int16_t *above = rows->size[0], *here = rows->size[1], *below = rows->size[2];
+    int32_t size = here[i], dx = rows->dx[i], dy = rows->dy[i];
+    int32_t across = dx < 0 ? -dx : dx, down = dy < 0 ? -dy : dy, t = (across * 13573) >> 15;
+    if (down <= t) {
+        return size > here[i - 1] && size >= here[i + 1];
+    }
+    if (down > 2 * across + t) {
+        return size > above[i] && size >= below[i];
+    }
+    int32_t lean = (dx ^ dy) < 0 ? -1 : 1;
+    return size > above[i - lean] && size > below[i + lean];
+}
+
+void iris_row_ridges_s16_c(uint32_t *weak, uint32_t *strong, const iris_row_ridges *rows, int32_t n)
+{
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t count = n - start < 32 ? n - start : 32;
+        uint32_t above_low = 0, above_high = 0;
+        for (int32_t i = 0; i < count; i++) {
+            if (rows->size[1][start + i] > rows->low && is_ridge(rows, start + i)) {
+                above_low |= (uint32_t)1 << i;
+                above_high |= (uint32_t)(rows->size[1][start + i] > rows->high) << i;
+            }
+        }
+        iris_row_put_bits(&weak[start / 32], above_low, count);
+        iris_row_put_bits(&strong[start / 32], above_high, count);
+    }
+}
+
+/* Four bytes as a word, the first in the low byte; one load where the processor can. */
+static inline uint32_t word_at(const uint8_t *p)
+{
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
+}
+
+#define EVEN  0x00ff00ffu
+#define CARRY 0x02000200u
+
+/* Two bytes each of a and b, in the low halves of 16 bits: carries where they differ by more than the limit, of which
+ * `level` is 511 less in both halves. No half borrows from the other: each stays within 1 to 766. */
+static inline uint32_t unlike(uint32_t a, uint32_t b, uint32_t level)
+{
+    uint32_t apart = a - b;
+    return (level + apart) | (level - apart);
+}
+
+/* Four pixels as four bits. */
+static inline uint32_t unlike_4(const uint8_t *const rows[3], int32_t i, uint32_t level)
+{
+    uint32_t left = word_at(rows[1] + i - 1), right = word_at(rows[1] + i + 1);
+    uint32_t above = word_at(rows[0] + i), below = word_at(rows[2] + i);
+    uint32_t even = unlike(left & EVEN, right & EVEN, level) | unlike(above & EVEN, below & EVEN, level);
+    uint32_t odd = unlike(left >> 8 & EVEN, right >> 8 & EVEN, level) |
+                   unlike(above >> 8 & EVEN, below >> 8 & EVEN, level);
+    uint32_t bits = (even & CARRY) >> 9 | (odd & CARRY) >> 8;
+    return (bits | bits >> 14) & 15u;
+}
+
+void iris_row_unlike_u8_c(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n)
+{
+    const uint32_t level = (511u - limit) * 0x00010001u;
+    int32_t i = 0;
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t count = n - start < 32 ? n - start : 32;
+        uint32_t bits = 0;
+        for (; i + 4 <= start + count; i += 4) {
+            bits |= unlike_4(rows, i, level) << (i - start);
+        }
+        for (; i < start + count; i++) {
+            int32_t across = rows[1][i - 1] - rows[1][i + 1], down = rows[0][i] - rows[2][i];
+            int is_unlike = across > limit || -across > limit || down > limit || -down > limit;
+            bits |= (uint32_t)is_unlike << (i - start);
+        }
+        iris_row_put_bits(&mask[start / 32], bits, count);
+    }
+}
