@@ -142,6 +142,18 @@ void iris_row_min3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const 
 #define iris_row_min3_u8 iris_row_min3_u8_c
 #endif
 
+/* dst = the largest and the smallest of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples away,
+ * 1 or 3; rows are readable from -step up to below n + step. dst is none of them. */
+void iris_row_max9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
+#ifndef iris_row_max9_u8
+#define iris_row_max9_u8 iris_row_max9_u8_c
+#endif
+
+void iris_row_min9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
+#ifndef iris_row_min9_u8
+#define iris_row_min9_u8 iris_row_min9_u8_c
+#endif
+
 /* dst = a - b, 0 where that is negative. dst may be a or b. */
 void iris_row_minus_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n);
 #ifndef iris_row_minus_u8

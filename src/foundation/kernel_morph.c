@@ -17,6 +17,44 @@ void iris_row_min3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const 
     }
 }
 
+static uint8_t most_at(const uint8_t *const rows[3], int32_t i)
+{
+    uint8_t most = rows[0][i] > rows[1][i] ? rows[0][i] : rows[1][i];
+    return most > rows[2][i] ? most : rows[2][i];
+}
+
+static uint8_t least_at(const uint8_t *const rows[3], int32_t i)
+{
+    uint8_t least = rows[0][i] < rows[1][i] ? rows[0][i] : rows[1][i];
+    return least < rows[2][i] ? least : rows[2][i];
+}
+
+void iris_row_max9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    for (int32_t c = 0; c < step && c < n; c++) {
+        uint8_t left = most_at(rows, c - step), here = most_at(rows, c);
+        for (int32_t i = c; i < n; i += step) {
+            uint8_t right = most_at(rows, i + step), most = left > here ? left : here;
+            dst[i] = most > right ? most : right;
+            left = here;
+            here = right;
+        }
+    }
+}
+
+void iris_row_min9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    for (int32_t c = 0; c < step && c < n; c++) {
+        uint8_t left = least_at(rows, c - step), here = least_at(rows, c);
+        for (int32_t i = c; i < n; i += step) {
+            uint8_t right = least_at(rows, i + step), least = left < here ? left : here;
+            dst[i] = least < right ? least : right;
+            left = here;
+            here = right;
+        }
+    }
+}
+
 void iris_row_minus_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
 {
     for (int32_t i = 0; i < n; i++) {

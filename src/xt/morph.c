@@ -149,20 +149,49 @@ static void make_mask_result(uint32_t *row, morph_work *work, int32_t y, int32_t
     row[last] = (row[last] & last_bits) | (after & ~last_bits);
 }
 
-static void make_picture(const iris_image *dst, morph_work *work, iris_border_rule rule)
+static iris_status make_picture(const iris_image *dst, const iris_image *src,
+                                const iris_morph_element *element, iris_border border, iris_scratch *scratch,
+                                morph_kind kind)
 {
-    iris_rect rect = result_rect(work, dst, rule);
-    int32_t channels = work->second.rows.channels;
-    for (int32_t y = 0; y < dst->h; y++, iris_rows_next(&work->second.rows)) {
+    morph_work work;
+    work.kind = kind;
+    iris_status status = begin(&work, src, element, border, scratch);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    iris_rect rect = result_rect(&work, dst, border.rule);
+    int32_t channels = work.second.rows.channels;
+    for (int32_t y = 0; y < dst->h; y++, iris_rows_next(&work.second.rows)) {
         uint8_t *row = (uint8_t *)iris_image_row(dst, y);
         if (rect.w < 1 || y < rect.y || y >= rect.y + rect.h) {
-            make_result(row, work, y, 0, 0);
+            make_result(row, &work, y, 0, 0);
         } else if (dst->format == IRIS_MASK1) {
-            make_mask_result((uint32_t *)(void *)row, work, y, rect.x, rect.w);
+            make_mask_result((uint32_t *)(void *)row, &work, y, rect.x, rect.w);
         } else {
-            make_result(row + rect.x * channels, work, y, rect.x * channels, rect.w * channels);
+            make_result(row + rect.x * channels, &work, y, rect.x * channels, rect.w * channels);
         }
     }
+    return IRIS_OK;
+}
+
+static int is_square3(const iris_image *dst, const iris_image *src, const iris_morph_element *element,
+                      morph_kind kind)
+{
+    return (kind == DILATE || kind == ERODE) && element->w == 3 && element->h == 3 &&
+           element->shape == IRIS_MORPH_SQUARE && !element->exclude_center && src->format != IRIS_MASK1 &&
+           dst->data != src->data;
+}
+
+static iris_status make_square3(const iris_image *dst, const iris_image *src, iris_border border,
+                                iris_scratch *scratch, morph_kind kind)
+{
+    uint8_t *level =
+        (uint8_t *)iris_scratch_take(scratch, IRIS_MORPH_SCRATCH_BYTES(src->format, src->w, 3, 3));
+    if (!level) {
+        return IRIS_ERR_SCRATCH;
+    }
+    iris_morph_square3(dst, src, kind == ERODE, border, level);
+    return IRIS_OK;
 }
 
 static iris_status apply(const iris_image *dst, const iris_image *src, const iris_morph_element *given,
@@ -183,13 +212,9 @@ static iris_status apply(const iris_image *dst, const iris_image *src, const iri
     if (status != IRIS_OK) {
         return status;
     }
-    morph_work work;
     size_t mark = iris_scratch_mark(scratch);
-    work.kind = kind;
-    status = begin(&work, src, &element, border, scratch);
-    if (status == IRIS_OK) {
-        make_picture(dst, &work, border.rule);
-    }
+    status = is_square3(dst, src, &element, kind) ? make_square3(dst, src, border, scratch, kind)
+                                                  : make_picture(dst, src, &element, border, scratch, kind);
     iris_scratch_release(scratch, mark);
     return status;
 }

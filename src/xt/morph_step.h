@@ -48,6 +48,11 @@ iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source 
  * iris_rows_next(&step->rows) in between. to may be of the source's image. */
 void iris_morph_step_row(iris_morph_step *step, uint8_t *to, int32_t from, int32_t n);
 
+/* All of a dilation or erosion of samples by a 3x3 square where dst is not src, so that no row needs to be kept. level: room for
+ * a row. O(pixels). */
+void iris_morph_square3(const iris_image *dst, const iris_image *src, int erodes, iris_border border,
+                        uint8_t *level);
+
 /* Pixels x + first..x + last of a mask's row are joined to pixel x of `to`, w pixels. run: room for w + last - first
  * pixels and another word; to may be run. row is readable at pixels first..w + last - 1. */
 typedef struct {

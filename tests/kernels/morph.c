@@ -1,7 +1,7 @@
 /* Kernels of morphology. */
 #include "kernels.h"
 
-static int32_t at[3];
+static int32_t at[3], step;
 static uint32_t all;
 
 static void choose_from(int32_t low, int32_t high)
@@ -23,6 +23,23 @@ static void choose_places(void)
 static void choose_places_behind(void)
 {
     choose_from(0, 63);
+}
+
+static void choose_step(void)
+{
+    step = random_below(2) ? 1 : 3;
+}
+
+static void run_max9(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *const around[3] = {rows[1], rows[2], rows[3]};
+    BODY(plain, iris_row_max9_u8)(rows[0], around, step, n);
+}
+
+static void run_min9(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *const around[3] = {rows[1], rows[2], rows[3]};
+    BODY(plain, iris_row_min9_u8)(rows[0], around, step, n);
 }
 
 static void run_max3(int plain, uint8_t **rows, int32_t n)
@@ -65,7 +82,11 @@ static void run_join3_in_place(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_join3_mask)(words(rows[0]), words(rows[0]), at, all, (n + 31) / 32);
 }
 
+#define ROW3 ROW_U8_AROUND(3, 3)
+
 static const kernel_case cases[] = {
+    {KERNEL(iris_row_max9_u8), run_max9, choose_step, {ROW_U8, ROW3, ROW3, ROW3}},
+    {KERNEL(iris_row_min9_u8), run_min9, choose_step, {ROW_U8, ROW3, ROW3, ROW3}},
     {KERNEL(iris_row_max3_u8), run_max3, NULL, {ROW_U8, ROW_U8, ROW_U8, ROW_U8}},
     {KERNEL(iris_row_max3_u8), run_max3_in_place, NULL, {ROW_U8_AROUND(0, 3)}},
     {KERNEL(iris_row_min3_u8), run_min3, NULL, {ROW_U8, ROW_U8, ROW_U8, ROW_U8}},
@@ -104,6 +125,29 @@ static void truth_of_samples(void **state)
     }
 }
 
+/* One pixel in the middle row, and one in the row below. */
+static void truth_of_nine(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (step = 1; step <= 3; step += 2) {
+            uint8_t row[4][N + 6], *rows[] = {row[0] + 3, row[1] + 3, row[2] + 3, row[3] + 3};
+            memset(row, 100, sizeof row);
+            rows[2][20] = 200;
+            rows[3][40] = 50;
+            run_max9(plain, rows, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(rows[0][i], i == 20 || i == 20 - step || i == 20 + step ? 200 : 100);
+            }
+            run_min9(plain, rows, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(rows[0][i], i == 40 || i == 40 - step || i == 40 + step ? 50 : 100);
+            }
+        }
+    }
+}
+
 /* One pixel set, and one clear. */
 static void truth_of_join3(void **state)
 {
@@ -133,6 +177,7 @@ static int truths(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_samples),
+        cmocka_unit_test(truth_of_nine),
         cmocka_unit_test(truth_of_join3),
     };
     return cmocka_run_group_tests_name("kernels of morphology", tests, NULL, NULL);

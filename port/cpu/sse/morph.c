@@ -51,6 +51,84 @@ void iris_row_minus_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, int
     store16(dst + n - 16, last);
 }
 
+/* Sixteen from `step` before here on, and from `step` behind; step is a constant. */
+#define BEFORE(left, here, step)  _mm_alignr_epi8(here, left, 16 - (step))
+#define BEHIND(here, right, step) _mm_alignr_epi8(right, here, step)
+
+/* The largest of three columns around. */
+static inline __m128i max9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
+{
+    __m128i left = max3_at(rows[0], rows[1], rows[2], i - step), here = max3_at(rows[0], rows[1], rows[2], i);
+    return _mm_max_epu8(_mm_max_epu8(left, here), max3_at(rows[0], rows[1], rows[2], i + step));
+}
+
+/* The same of sixteen and sixteen more from pixel 16 on, as long as the next sixteen can be looked at. */
+#define MAX9_INNER(step)                                                                                     \
+    for (int32_t i = 16; i < n - 31; i += 16) {                                                              \
+        __m128i right = max3_at(a, b, c, i + 16);                                                            \
+        __m128i beside = _mm_max_epu8(BEFORE(left, here, step), BEHIND(here, right, step));                  \
+        store16(dst + i, _mm_max_epu8(here, beside));                                                        \
+        left = here;                                                                                         \
+        here = right;                                                                                        \
+    }
+
+void iris_row_max9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    if (n < 32) {
+        iris_row_max9_u8_c(dst, rows, step, n);
+        return;
+    }
+    const uint8_t *a = rows[0], *b = rows[1], *c = rows[2];
+    __m128i left = max3_at(a, b, c, 0), here = max3_at(a, b, c, 16);
+    store16(dst, max9_at(rows, step, 0));
+    if (step == 1) {
+        MAX9_INNER(1)
+    } else {
+        MAX9_INNER(3)
+    }
+    if (n > 32) {
+        store16(dst + n - 32, max9_at(rows, step, n - 32));
+    }
+    store16(dst + n - 16, max9_at(rows, step, n - 16));
+}
+
+/* The smallest of three columns around. */
+static inline __m128i min9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
+{
+    __m128i left = min3_at(rows[0], rows[1], rows[2], i - step), here = min3_at(rows[0], rows[1], rows[2], i);
+    return _mm_min_epu8(_mm_min_epu8(left, here), min3_at(rows[0], rows[1], rows[2], i + step));
+}
+
+/* The same of sixteen and sixteen more from pixel 16 on, as long as the next sixteen can be looked at. */
+#define MIN9_INNER(step)                                                                                     \
+    for (int32_t i = 16; i < n - 31; i += 16) {                                                              \
+        __m128i right = min3_at(a, b, c, i + 16);                                                            \
+        __m128i beside = _mm_min_epu8(BEFORE(left, here, step), BEHIND(here, right, step));                  \
+        store16(dst + i, _mm_min_epu8(here, beside));                                                        \
+        left = here;                                                                                         \
+        here = right;                                                                                        \
+    }
+
+void iris_row_min9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    if (n < 32) {
+        iris_row_min9_u8_c(dst, rows, step, n);
+        return;
+    }
+    const uint8_t *a = rows[0], *b = rows[1], *c = rows[2];
+    __m128i left = min3_at(a, b, c, 0), here = min3_at(a, b, c, 16);
+    store16(dst, min9_at(rows, step, 0));
+    if (step == 1) {
+        MIN9_INNER(1)
+    } else {
+        MIN9_INNER(3)
+    }
+    if (n > 32) {
+        store16(dst + n - 32, min9_at(rows, step, n - 32));
+    }
+    store16(dst + n - 16, min9_at(rows, step, n - 16));
+}
+
 /* Four words of pixels from pixel `shift` of the first on. */
 static inline __m128i pixels_of(const uint32_t *words, __m128i shift)
 {
