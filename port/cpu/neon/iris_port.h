@@ -81,6 +81,7 @@ void iris_row_halve_u16_neon(uint8_t *dst, const uint16_t *sums, int32_t n);
 
 void iris_row_integral_u8_neon(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
 #define iris_row_integral_u8 iris_row_integral_u8_neon
+
 void iris_row_max9_u8_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
 #define iris_row_max9_u8 iris_row_max9_u8_neon
 
