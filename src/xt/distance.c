@@ -1,26 +1,14 @@
 #include "iris/xt/distance.h"
 
 #include "../foundation/kernel.h"
+#include "filter.h"
 
 static iris_status check(const iris_image *distance, const iris_image *mask, iris_distance_metric metric)
 {
-    if (!distance || !mask || (metric != IRIS_DISTANCE_L1 && metric != IRIS_DISTANCE_CHAMFER)) {
+    if (metric != IRIS_DISTANCE_L1 && metric != IRIS_DISTANCE_CHAMFER) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(distance);
-    if (status == IRIS_OK) {
-        status = iris_image_check(mask);
-    }
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (distance->format != IRIS_GRAY_U16 || mask->format != IRIS_MASK1) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (distance->w != mask->w || distance->h != mask->h) {
-        return IRIS_ERR_RANGE;
-    }
-    return iris_image_overlaps(distance, mask) ? IRIS_ERR_ALIAS : IRIS_OK;
+    return iris_filter_check_formats(distance, IRIS_GRAY_U16, mask, IRIS_MASK1);
 }
 
 iris_status iris_distance_transform(const iris_image *distance, const iris_image *mask,

@@ -32,3 +32,13 @@ iris_status iris_filter_check_u8(const iris_image *dst, const iris_image *src, i
     int known = src->format == IRIS_GRAY8 || src->format == IRIS_RGB888 || src->format == IRIS_BGR888;
     return known && dst->format == src->format ? status : IRIS_ERR_FORMAT;
 }
+
+iris_status iris_filter_check_formats(const iris_image *dst, iris_format to, const iris_image *src,
+                                      iris_format from)
+{
+    iris_status status = iris_filter_check(dst, src, (iris_border){IRIS_BORDER_REPLICATE, 0});
+    if (status == IRIS_ERR_ARG) {
+        return status;
+    }
+    return dst->format == to && src->format == from ? status : IRIS_ERR_FORMAT;
+}

@@ -1,6 +1,7 @@
 #include "iris/xt/hitmiss.h"
 
 #include "../foundation/rows.h"
+#include "filter.h"
 #include "mask_bits.h"
 
 iris_status iris_hitmiss_pattern_read(iris_hitmiss_pattern *pattern, const char *text)
@@ -42,22 +43,10 @@ iris_status iris_hitmiss_pattern_read(iris_hitmiss_pattern *pattern, const char 
 
 static iris_status check(const iris_image *dst, const iris_image *src, const iris_hitmiss_pattern *pattern)
 {
-    iris_status status = iris_image_check(dst);
-    if (status == IRIS_OK) {
-        status = iris_image_check(src);
-    }
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (dst->format != IRIS_MASK1 || src->format != IRIS_MASK1) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != src->w || dst->h != src->h || pattern->w < 1 || pattern->w > IRIS_HITMISS_SIDE_MAX ||
-        pattern->h < 1 || pattern->h > IRIS_HITMISS_SIDE_MAX) {
-        return IRIS_ERR_RANGE;
-    }
-    int same = dst->data == src->data && (dst->stride == src->stride || dst->h == 1);
-    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+    iris_status status = iris_filter_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1);
+    int fits = pattern->w >= 1 && pattern->w <= IRIS_HITMISS_SIDE_MAX && pattern->h >= 1 &&
+               pattern->h <= IRIS_HITMISS_SIDE_MAX;
+    return status == IRIS_OK && !fits ? IRIS_ERR_RANGE : status;
 }
 
 /* The pixels of 32 whose surroundings agree with row dy of the pattern. around: pixel -32 is in word 0. */
@@ -90,7 +79,7 @@ static uint32_t find_word(const iris_rows *rows, const iris_hitmiss_pattern *pat
 iris_status iris_hitmiss_find(const iris_image *dst, const iris_image *src,
                               const iris_hitmiss_pattern *pattern, iris_border border, iris_scratch *scratch)
 {
-    if (!dst || !src || !pattern || !scratch || (unsigned)border.rule > IRIS_BORDER_SKIP) {
+    if (!pattern || !scratch || (unsigned)border.rule > IRIS_BORDER_SKIP) {
         return IRIS_ERR_ARG;
     }
     iris_status status = check(dst, src, pattern);

@@ -84,7 +84,4 @@ uint64_t iris_ends_of_word(const uint64_t *above, const uint64_t *word, const ui
 /* Takes the short branches of a skeleton away, which dst holds too. */
 void iris_skeleton_prune_branches(const iris_image *dst, iris_thinning *skeleton, int32_t length);
 
-/* Two masks of one size, in one place or apart. */
-iris_status iris_skeleton_check(const iris_image *dst, const iris_image *src);
-
 #endif

@@ -1,7 +1,6 @@
 #include "skeleton_parts.h"
 
 #include "../foundation/kernel.h"
-#include "filter.h"
 
 void iris_skeleton_load(uint64_t *row, const iris_image *mask, int32_t y)
 {
@@ -27,13 +26,4 @@ void iris_skeleton_put(const iris_image *mask, int32_t y, int32_t i, uint64_t bi
     if (count > 32) {
         iris_row_put_bits(&to[2 * i + 1], (uint32_t)(bits >> 32), count < 64 ? count - 32 : 32);
     }
-}
-
-iris_status iris_skeleton_check(const iris_image *dst, const iris_image *src)
-{
-    iris_status status = iris_filter_check(dst, src, (iris_border){IRIS_BORDER_CONSTANT, 0});
-    if (status == IRIS_ERR_ARG) {
-        return status;
-    }
-    return dst->format == IRIS_MASK1 && src->format == IRIS_MASK1 ? status : IRIS_ERR_FORMAT;
 }

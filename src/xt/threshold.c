@@ -1,27 +1,15 @@
 #include "iris/xt/threshold.h"
 
 #include "../foundation/kernel.h"
+#include "filter.h"
 #include "iris/xt/histogram.h"
 
 static iris_status check(const iris_image *mask, const iris_image *gray, iris_select select)
 {
-    if (!mask || !gray || (select != IRIS_SELECT_BRIGHT && select != IRIS_SELECT_DARK)) {
+    if (select != IRIS_SELECT_BRIGHT && select != IRIS_SELECT_DARK) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status == IRIS_OK) {
-        status = iris_image_check(gray);
-    }
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (mask->format != IRIS_MASK1 || gray->format != IRIS_GRAY8) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (mask->w != gray->w || mask->h != gray->h) {
-        return IRIS_ERR_RANGE;
-    }
-    return iris_image_overlaps(mask, gray) ? IRIS_ERR_ALIAS : IRIS_OK;
+    return iris_filter_check_formats(mask, IRIS_MASK1, gray, IRIS_GRAY8);
 }
 
 /* A finished row of "bright" becomes a row of `select`. */
