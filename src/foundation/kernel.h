@@ -46,6 +46,26 @@ typedef struct {
     int32_t low, high;
 } iris_row_ridges;
 
+/* One sample of a window: where it is found for pixel 0, and its weight, above INT32_MIN. */
+typedef struct {
+    const uint8_t *src;
+    int32_t weight;
+} iris_row_tap;
+
+/* The most taps of one call. */
+#define IRIS_ROW_TAPS 32
+
+/* From sums to bytes: n / divisor, rounded down, 0 to 255. Of n below 0 that is 0, or with `absolute` minus the
+ * quotient, (divisor - 1 - n) / divisor, which does not overflow. Where n is at most 255 * divisor, the quotient is n
+ * * factor >> shift: factor = 2^shift / divisor, rounded up, and 2^(shift - 31) the largest power of two that is not
+ * above divisor. */
+typedef struct {
+    int32_t start;   /* of each sum: divisor / 2 + bias * divisor */
+    int32_t divisor; /* 1 to 2^22 */
+    uint32_t factor;
+    int shift, absolute;
+} iris_row_quotient;
+
 #include "iris_port.h"
 
 /* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
@@ -288,6 +308,33 @@ void iris_row_ridges_s16_c(uint32_t *weak, uint32_t *strong, const iris_row_ridg
 void iris_row_unlike_u8_c(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n);
 #ifndef iris_row_unlike_u8
 #define iris_row_unlike_u8 iris_row_unlike_u8_c
+#endif
+
+/* sums[i] += weight * src[i] of each tap; count: 1 to IRIS_ROW_TAPS. No sum on the way leaves int32_t, in any order. */
+void iris_row_taps_u8_c(int32_t *sums, const iris_row_tap *taps, int32_t count, int32_t n);
+#ifndef iris_row_taps_u8
+#define iris_row_taps_u8 iris_row_taps_u8_c
+#endif
+
+/* dst = the quotient of such sums, which begin as quotient->start. */
+void iris_row_filter_u8_c(uint8_t *dst, const iris_row_tap *taps, int32_t count,
+                          const iris_row_quotient *quotient, int32_t n);
+#ifndef iris_row_filter_u8
+#define iris_row_filter_u8 iris_row_filter_u8_c
+#endif
+
+/* dst = the quotient of each sum. */
+void iris_row_settle_u8_c(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n);
+#ifndef iris_row_settle_u8
+#define iris_row_settle_u8 iris_row_settle_u8_c
+#endif
+
+/* sums[i] += weights[k] * src[i + k * step] of k from 0 to count - 1; no sum on the way leaves int32_t. src is readable
+ * up to below n + (count - 1) * step. */
+void iris_row_taps_s32_c(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
+                         int32_t step, int32_t n);
+#ifndef iris_row_taps_s32
+#define iris_row_taps_s32 iris_row_taps_s32_c
 #endif
 
 #endif

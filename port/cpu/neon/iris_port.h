@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 36
+#define IRIS_PORT_OVERRIDES 40
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -121,5 +121,19 @@ void iris_row_ridges_s16_neon(uint32_t *weak, uint32_t *strong, const iris_row_r
 
 void iris_row_unlike_u8_neon(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n);
 #define iris_row_unlike_u8 iris_row_unlike_u8_neon
+
+void iris_row_taps_u8_neon(int32_t *sums, const iris_row_tap *taps, int32_t count, int32_t n);
+#define iris_row_taps_u8 iris_row_taps_u8_neon
+
+void iris_row_filter_u8_neon(uint8_t *dst, const iris_row_tap *taps, int32_t count,
+                             const iris_row_quotient *quotient, int32_t n);
+#define iris_row_filter_u8 iris_row_filter_u8_neon
+
+void iris_row_settle_u8_neon(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n);
+#define iris_row_settle_u8 iris_row_settle_u8_neon
+
+void iris_row_taps_s32_neon(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
+                            int32_t step, int32_t n);
+#define iris_row_taps_s32 iris_row_taps_s32_neon
 
 #endif

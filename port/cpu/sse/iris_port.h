@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 36
+#define IRIS_PORT_OVERRIDES 40
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -121,5 +121,19 @@ void iris_row_ridges_s16_sse(uint32_t *weak, uint32_t *strong, const iris_row_ri
 
 void iris_row_unlike_u8_sse(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n);
 #define iris_row_unlike_u8 iris_row_unlike_u8_sse
+
+void iris_row_taps_u8_sse(int32_t *sums, const iris_row_tap *taps, int32_t count, int32_t n);
+#define iris_row_taps_u8 iris_row_taps_u8_sse
+
+void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t count,
+                            const iris_row_quotient *quotient, int32_t n);
+#define iris_row_filter_u8 iris_row_filter_u8_sse
+
+void iris_row_settle_u8_sse(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n);
+#define iris_row_settle_u8 iris_row_settle_u8_sse
+
+void iris_row_taps_s32_sse(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
+                           int32_t step, int32_t n);
+#define iris_row_taps_s32 iris_row_taps_s32_sse
 
 #endif
