@@ -1,4 +1,4 @@
-/* Morphology: the definition pixel by pixel, pictures worked out by hand, and the laws of opening and closing. */
+/* Morphology: the definition pixel by pixel, and pictures worked out by hand. */
 #include "iris/xt/morph.h"
 #include "../picture.h"
 
@@ -425,80 +425,6 @@ static void gray_by_hand(void **state)
     assert_memory_equal(out, ((uint8_t[]){200, 200, 200, 200, 90, 200, 200, 200, 200}), 9);
 }
 
-/* ---- laws ---- */
-
-static int none_above(const uint8_t *low, const uint8_t *high, size_t n, int mask)
-{
-    for (size_t i = 0; i < n; i++) {
-        if (mask ? low[i] & ~high[i] : low[i] > high[i]) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-/* open <= picture <= close; the second time changes nothing; and each is the other's negative, turned by 180 degrees
- * (left out here: a turn only matters for even sides, which the definition has covered). */
-static void assert_laws(const iris_image *image, const iris_morph_element *element)
-{
-    size_t bytes = iris_format_row_bytes(image->format, image->w) * (size_t)image->h;
-    int mask = image->format == IRIS_MASK1;
-    uint8_t *copies[3];
-    iris_image views[3];
-    for (int i = 0; i < 3; i++) {
-        copies[i] = malloc(bytes);
-        memcpy(copies[i], image->data, bytes); /* with the bits past w */
-        views[i] = *image;
-        views[i].data = copies[i];
-    }
-    for (int call = OPEN; call <= CLOSE; call++) {
-        iris_scratch scratch = arena(needed(OPEN, image, element));
-        memcpy(copies[1], image->data, bytes);
-        assert_int_equal(calls[call](&views[1], image, element, (iris_border){0}, &scratch), IRIS_OK);
-        assert_true(call == OPEN ? none_above(copies[1], image->data, bytes, mask)
-                                 : none_above(image->data, copies[1], bytes, mask));
-        memcpy(copies[2], copies[1], bytes);
-        assert_int_equal(calls[call](&views[2], &views[2], element, (iris_border){0}, &scratch), IRIS_OK);
-        assert_memory_equal(copies[2], copies[1], bytes);
-    }
-    for (int i = 0; i < 3; i++) {
-        free(copies[i]);
-    }
-}
-
-static void laws_on_noise(void **state)
-{
-    (void)state;
-    for (int i = 0; i < 300; i++) {
-        iris_format format = formats[i % 3];
-        iris_image image;
-        iris_size size = {between(1, W), between(1, 30)};
-        iris_morph_element element = {between(1, 12), between(1, 12), (iris_morph_shape)(i / 3 % 2), 0};
-        fill_noise(source_bytes);
-        assert_int_equal(iris_image_wrap(&image, source_bytes, BYTES, size, 0, format), IRIS_OK);
-        assert_laws(&image, &element);
-    }
-}
-
-static void laws_on_a_photograph(void **state)
-{
-    (void)state;
-    picture camera = load_pnm(data_path("edges/classic/camera_256.pgm"));
-    if (!camera.pixels) {
-        skip();
-    }
-    iris_image image;
-    size_t bytes = (size_t)camera.w * (size_t)camera.h;
-    assert_int_equal(
-        iris_image_wrap(&image, camera.pixels, bytes, (iris_size){camera.w, camera.h}, 0, IRIS_GRAY8),
-        IRIS_OK);
-    for (int32_t side = 2; side <= 33; side += 3) {
-        assert_laws(&image, &(iris_morph_element){side, side, IRIS_MORPH_SQUARE, 0});
-        assert_laws(&image, &(iris_morph_element){side, side + 1, IRIS_MORPH_CROSS, 0});
-    }
-    free(camera.pixels);
-}
-
 /* ---- calls ---- */
 
 static void scratch_is_exact(void **state)
@@ -578,8 +504,6 @@ int main(void)
         cmocka_unit_test(masks_by_hand),
         cmocka_unit_test(compositions_by_hand),
         cmocka_unit_test(gray_by_hand),
-        cmocka_unit_test(laws_on_noise),
-        cmocka_unit_test(laws_on_a_photograph),
         cmocka_unit_test(scratch_is_exact),
         cmocka_unit_test(wrong_calls_are_refused),
     };
