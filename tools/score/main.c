@@ -46,6 +46,7 @@ int main(int argc, char **argv)
     score_bmp(&s);
     score_skeleton(&s);
     score_quadtree(&s);
+    score_edges(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;

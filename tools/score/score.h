@@ -34,6 +34,7 @@ void score_tone(score *s);
 void score_bmp(score *s);
 void score_skeleton(score *s);
 void score_quadtree(score *s);
+void score_edges(score *s);
 void score_cost(score *s);
 
 #endif
