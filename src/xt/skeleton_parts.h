@@ -60,7 +60,7 @@ static inline uint64_t iris_groups_one(const iris_groups *g)
 
 /* A mask between zeros, while it is thinned. */
 typedef struct {
-    int32_t w, h, stride;
+    int32_t h, stride;
     uint64_t *words;    /* pixel 0 of row 0; a row of zeros above and below, a zero before and behind */
     uint64_t *snapshot; /* the same when the pass began */
     uint64_t *removed;  /* what is to be removed: a ring */

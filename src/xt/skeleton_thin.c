@@ -19,7 +19,6 @@ iris_status iris_thinning_begin(iris_thinning *thinning, iris_size size, iris_sc
         return IRIS_ERR_SCRATCH;
     }
     memset(memory, 0, IRIS_SKELETON_SCRATCH_BYTES(size.w, size.h));
-    thinning->w = size.w;
     thinning->h = size.h;
     thinning->stride = (int32_t)stride;
     thinning->words = memory + stride + 1;
@@ -158,8 +157,8 @@ static inline uint64_t live(uint8_t *lives)
            (uint64_t)b[4] << 32 | (uint64_t)b[5] << 40 | (uint64_t)b[6] << 48 | (uint64_t)b[7] << 56;
 }
 
-/* Peels one side everywhere at once. A word is looked at while it has lives: as long as no sub-pass of a whole pass has
- * changed it or a word around it. Returns 1 when it removed something. */
+/* Peels one side everywhere at once. A word is looked at while it has lives: until every side has come once since it or a
+ * pixel beside it last changed. Returns 1 when it removed something. */
 static int peel(iris_thinning t, side from, int spares, uint8_t lives)
 {
     int32_t words = t.stride * t.h;
