@@ -38,7 +38,7 @@ typedef struct {
     uint8_t *run; /* room for a row's runs */
 } iris_morph_step;
 
-/* Ready at row 0. element: checked. Takes IRIS_MORPH_SCRATCH_BYTES.
+/* Ready at row 0. step->erodes is given: 1 for an erosion, 0 for a dilation. element: checked. Takes IRIS_MORPH_SCRATCH_BYTES.
  * IRIS_ERR_SCRATCH. */
 iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source *source,
                                   const iris_morph_element *element, iris_border border,
