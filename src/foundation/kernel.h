@@ -46,6 +46,11 @@ typedef struct {
     int32_t low, high;
 } iris_row_ridges;
 
+typedef struct {
+    int32_t amount_q16; /* 0 to 16.0 */
+    int32_t threshold;  /* 0 to 255 */
+} iris_row_sharpening;
+
 /* One sample of a window: where it is found for pixel 0, and its weight, above INT32_MIN. */
 typedef struct {
     const uint8_t *src;
@@ -162,8 +167,8 @@ void iris_row_min3_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, const 
 #define iris_row_min3_u8 iris_row_min3_u8_c
 #endif
 
-/* dst = the largest and the smallest of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples away,
- * 1 or 3; rows are readable from -step up to below n + step. dst is none of them. */
+/* dst = the largest and the smallest of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples
+ * away, 1 or 3; rows are readable from -step up to below n + step. dst is none of them. */
 void iris_row_max9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
 #ifndef iris_row_max9_u8
 #define iris_row_max9_u8 iris_row_max9_u8_c
@@ -308,6 +313,23 @@ void iris_row_ridges_s16_c(uint32_t *weak, uint32_t *strong, const iris_row_ridg
 void iris_row_unlike_u8_c(uint32_t *mask, const uint8_t *const rows[3], uint8_t limit, int32_t n);
 #ifndef iris_row_unlike_u8
 #define iris_row_unlike_u8 iris_row_unlike_u8_c
+#endif
+
+/* dst = src + (src - blurred) * amount, rounded, 0 to 255, where |src - blurred| is above the threshold, else src.
+ * dst may be src. */
+void iris_row_sharpen_u8_c(uint8_t *dst, const uint8_t *src, const uint8_t *blurred, iris_row_sharpening by,
+                           int32_t n);
+#ifndef iris_row_sharpen_u8
+#define iris_row_sharpen_u8 iris_row_sharpen_u8_c
+#endif
+
+/* sums += the symmetric weighted sum across a row of samples `step` apart, 0 to 2^14 each: weights of the distances 0
+ * to radius, each below 2^15 in size. No sum on the way leaves int32_t. src is readable from -radius * step up to
+ * below n + radius * step. */
+void iris_row_pairs_s16_c(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
+                          int32_t step, int32_t n);
+#ifndef iris_row_pairs_s16
+#define iris_row_pairs_s16 iris_row_pairs_s16_c
 #endif
 
 /* sums[i] += weight * src[i] of each tap; count: 1 to IRIS_ROW_TAPS. No sum on the way leaves int32_t, in any order. */

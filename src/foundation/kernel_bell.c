@@ -38,3 +38,14 @@ void iris_row_bell_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *
         dst[i] = (uint8_t)(value < 255 ? value : 255);
     }
 }
+
+void iris_row_pairs_s16_c(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
+                          int32_t step, int32_t n)
+{
+    for (int32_t k = 0; k <= radius; k++) {
+        const int16_t *left = src - k * step, *right = src + k * step;
+        for (int32_t i = 0; i < n; i++) {
+            sums[i] += weights[k] * (k == 0 ? src[i] : left[i] + right[i]);
+        }
+    }
+}

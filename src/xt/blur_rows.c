@@ -63,17 +63,16 @@ iris_status iris_blur_rows_begin(iris_blur_rows *blur, const iris_image *src, ir
  * 255 * 64 after the shift. */
 static void sum_down(const iris_blur_rows *blur, int32_t from, int32_t n)
 {
-    int32_t sums[TILE];
-    const uint8_t *center = iris_rows_at(&blur->rows, 0) + from;
+    int32_t sums[TILE], count = 0;
+    iris_row_tap taps[IRIS_ROW_TAPS];
     for (int32_t i = 0; i < n; i++) {
-        sums[i] = (1 << (blur->bits - 7)) + blur->weights[0] * center[i];
+        sums[i] = 1 << (blur->bits - 7);
     }
-    for (int32_t k = 1; k <= blur->radius; k++) {
-        const uint8_t *above = iris_rows_at(&blur->rows, -k) + from;
-        const uint8_t *below = iris_rows_at(&blur->rows, k) + from;
-        int32_t weight = blur->weights[k];
-        for (int32_t i = 0; i < n; i++) {
-            sums[i] += weight * (above[i] + below[i]);
+    for (int32_t k = -blur->radius; k <= blur->radius; k++) {
+        taps[count++] = (iris_row_tap){iris_rows_at(&blur->rows, k) + from, blur->weights[k < 0 ? -k : k]};
+        if (count == IRIS_ROW_TAPS || k == blur->radius) {
+            iris_row_taps_u8(sums, taps, count, n);
+            count = 0;
         }
     }
     for (int32_t i = 0; i < n; i++) {
@@ -84,18 +83,10 @@ static void sum_down(const iris_blur_rows *blur, int32_t from, int32_t n)
 /* The same from left to right, times 2^bits, with `half` for rounding. At most 255 * 2^23 + 2^22 < 2^31. */
 static void sum_across(int32_t *sums, const iris_blur_rows *blur, int32_t half, int32_t from, int32_t n)
 {
-    const int16_t *center = blur->middle + from;
     for (int32_t i = 0; i < n; i++) {
-        sums[i] = half + blur->weights[0] * center[i];
+        sums[i] = half;
     }
-    for (int32_t k = 1; k <= blur->radius; k++) {
-        const int16_t *left = center - k * blur->rows.channels;
-        const int16_t *right = center + k * blur->rows.channels;
-        int32_t weight = blur->weights[k];
-        for (int32_t i = 0; i < n; i++) {
-            sums[i] += weight * (left[i] + right[i]);
-        }
-    }
+    iris_row_pairs_s16(sums, blur->middle + from, blur->weights, blur->radius, blur->rows.channels, n);
 }
 
 static int32_t tile(int32_t from, int32_t end)

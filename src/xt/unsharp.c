@@ -1,5 +1,6 @@
 #include "iris/xt/unsharp.h"
 
+#include "../foundation/kernel.h"
 #include "blur_rows.h"
 #include "filter.h"
 
@@ -7,18 +8,6 @@ void iris_unsharp_defaults(iris_unsharp_config *config)
 {
     if (config) {
         *config = (iris_unsharp_config){IRIS_Q16_ONE, IRIS_Q16_ONE, 0};
-    }
-}
-
-static void sharpen(uint8_t *dst, const uint8_t *src, const uint8_t *blurred,
-                    const iris_unsharp_config *config, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++) {
-        int32_t difference = src[i] - blurred[i], value = src[i];
-        if (difference > config->threshold || difference < -config->threshold) {
-            value += (int32_t)iris_round_shift(difference * config->amount_q16, 16);
-        }
-        dst[i] = (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
     }
 }
 
@@ -41,8 +30,10 @@ static iris_status unsharp(const iris_image *dst, const iris_image *src, const i
         iris_blur_rows_next(&blur, blurred);
         if (any) {
             int32_t from = first * channels;
-            sharpen((uint8_t *)iris_image_row(dst, y) + from, (const uint8_t *)iris_image_row(src, y) + from,
-                    blurred + from, config, (end - first) * channels);
+            iris_row_sharpen_u8((uint8_t *)iris_image_row(dst, y) + from,
+                                (const uint8_t *)iris_image_row(src, y) + from, blurred + from,
+                                (iris_row_sharpening){config->amount_q16, config->threshold},
+                                (end - first) * channels);
         }
     }
     return IRIS_OK;

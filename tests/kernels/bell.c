@@ -52,6 +52,44 @@ static void run_across_u8(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_bell_across_u8)(rows[0], halves(rows[1]), weights, radius, step, n);
 }
 
+/* Wide ones, as many distances as the harness has room for; weights of 2^17 in all. */
+static int32_t wide_radius;
+static int16_t wide_weights[41];
+
+static void choose_wide(void)
+{
+    int32_t rest = 1 << 17;
+    wide_radius = (int32_t)random_below(41);
+    step = random_below(2) ? 1 : 3;
+    for (int32_t k = 0; k <= wide_radius; k++) {
+        int32_t most = rest / 2 < INT16_MAX ? rest / 2 : INT16_MAX;
+        wide_weights[k] = (int16_t)(random_below(4) ? random_below((uint32_t)most + 1) : (uint32_t)most);
+        rest -= 2 * wide_weights[k];
+    }
+}
+
+static void fill_starts(uint8_t *row, size_t bytes)
+{
+    for (size_t i = 0; i + 4 <= bytes; i += 4) {
+        int32_t start = (int32_t)random_below(1 << 22);
+        memcpy(row + i, &start, 4);
+    }
+}
+
+static void fill_plain_sums(uint8_t *row, size_t bytes)
+{
+    for (size_t i = 0; i + 2 <= bytes; i += 2) {
+        int16_t sum = (int16_t)(random_below(3) ? random_below(255 * 64 + 1) : 255 * 64);
+        memcpy(row + i, &sum, 2);
+    }
+}
+
+static void run_pairs(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_pairs_s16)
+    ((int32_t *)(void *)rows[0], halves(rows[1]), wide_weights, wide_radius, step, n);
+}
+
 #define SUMS ROW_AROUND(1, 2, 2, fill_sums, 3 * IRIS_BELL_RADIUS, 3 * IRIS_BELL_RADIUS)
 
 static const kernel_case cases[] = {
@@ -60,6 +98,10 @@ static const kernel_case cases[] = {
      choose_weights,
      {ROW_S16, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8}},
     {KERNEL(iris_row_bell_across), run_across, choose_weights, {ROW_S16, SUMS}},
+    {KERNEL(iris_row_pairs_s16),
+     run_pairs,
+     choose_wide,
+     {ROW(1, 4, 4, fill_starts), ROW_AROUND(1, 2, 2, fill_plain_sums, 120, 120)}},
     {KERNEL(iris_row_bell_across_u8), run_across_u8, choose_weights, {ROW_U8, SUMS}},
 };
 
@@ -117,11 +159,44 @@ static void truth_of_across(void **state)
     }
 }
 
+/* 7, and 5 times the sample, 3 times its neighbors, and twice theirs. */
+static void truth_of_pairs(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (int32_t distances = 0; distances <= 2; distances++) {
+            int32_t sums[N];
+            int16_t src[N + 4];
+            uint8_t *rows[2] = {(uint8_t *)sums, (uint8_t *)(src + 2)};
+            for (int i = 0; i < N + 4; i++) {
+                src[i] = (int16_t)(100 * i);
+            }
+            for (int i = 0; i < N; i++) {
+                sums[i] = 7;
+            }
+            wide_radius = distances;
+            step = 1;
+            wide_weights[0] = 5;
+            wide_weights[1] = 3;
+            wide_weights[2] = 2;
+            run_pairs(plain, rows, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(sums[i], 7 + 100 * (i + 2) *
+                                                  (distances == 0   ? 5
+                                                   : distances == 1 ? 11
+                                                                    : 15));
+            }
+        }
+    }
+}
+
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_down),
         cmocka_unit_test(truth_of_across),
+        cmocka_unit_test(truth_of_pairs),
     };
     return cmocka_run_group_tests_name("kernels of bell", tests, NULL, NULL);
 }
