@@ -59,6 +59,50 @@ for wrong in "3,0,2,1" "0,0,5,1" "0,0,4,3" "2147483647,0,1,1" "0,0,2147483647,1"
 done
 refuses "--roi where the size changes" 2 "unknown option --roi" convert --roi 0,0,1,1 gray.pgm -o no.pgm
 
+# --- every operation takes --border and --roi, on any kind and size of picture ---
+printf 'P5\n1 1\n255\n\200' > dot.pgm
+works "a mask of one pixel" threshold --value 100 dot.pgm -o dot.bmp
+works "a column" convert --crop 0,0,1,2 square.ppm -o column.ppm
+while read -r call; do
+    eval "set -- $call"
+    failed=
+    for rule in skip replicate reflect constant constant:255; do
+        for picture in gray.pgm square.ppm column.ppm dot.pgm dot.bmp; do
+            run "$@" --border $rule --roi 0,0,1,1 $picture -o any.bmp
+            [ $code -eq 0 ] && [ ! -s err ] || failed="$failed $rule $picture"
+        done
+    done
+    [ -z "$failed" ]; say $? "$call: --border and --roi$failed"
+    refuses "$1 --border none" 2 "^iris $1: --border: skip, .* not 'none'" "$@" --border none gray.pgm -o no.pgm
+done << END
+gray
+threshold --adaptive 1,0
+negative
+adjust
+compress
+stretch
+gamma --gamma 2
+histogram
+equalize --local 1,2
+convolve --mask '1 1 1'
+blur --box 3
+median
+unsharp
+edge --operator canny
+dilate
+erode
+open
+close
+gradient
+tophat
+blackhat
+hitmiss --pattern 1
+distance
+skeleton
+quadtree
+END
+refuses "--border of convert" 2 "^iris convert: unknown option --border" convert --border skip gray.pgm -o no.pgm
+
 # --- masks stay masks ---
 works "a mask" threshold --value 100 gray.pgm -o mask.bmp
 works "a mask is converted to a mask" convert mask.bmp -o again.bmp

@@ -60,5 +60,4 @@ const operation operation_blur = {.name = "blur",
                                   .summary = "means of surroundings, Gaussian or of a box",
                                   .help = help,
                                   .parse = parse,
-                                  .apply = apply,
-                                  .has_border = 1};
+                                  .apply = apply};

@@ -226,5 +226,4 @@ const operation operation_convolve = {.name = "convolve",
                                       .summary = "weighted sums of surroundings, by a mask of whole numbers",
                                       .help = help,
                                       .parse = parse,
-                                      .apply = apply,
-                                      .has_border = 1};
+                                      .apply = apply};

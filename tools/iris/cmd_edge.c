@@ -294,5 +294,4 @@ const operation operation_edge = {.name = "edge",
                                   .summary = "edges, by Sobel to Canny, as gray pictures or masks",
                                   .help = help,
                                   .parse = parse,
-                                  .apply = apply,
-                                  .has_border = 1};
+                                  .apply = apply};

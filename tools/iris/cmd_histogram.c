@@ -9,6 +9,7 @@ static const char help[] =
     "       iris histogram [--roi x,y,w,h] [--json] IN... -o OUT\n\n"
     "How many pixels have each level: numbers, a picture of them, or both. One curve for gray, three for\n"
     "color, two levels for a mask.\n\n"
+    "  --border RULE     taken by every operation; changes nothing here\n"
     "  --roi x,y,w,h     of this part alone\n"
     "  --json            one JSON object per picture: channels (gray; red, green, blue; or mask), each with\n"
     "                    count, mean, variance, min, max, median, otsu (the threshold between dark and\n"
@@ -164,4 +165,5 @@ const operation operation_histogram = {.name = "histogram",
                                        .apply = apply,
                                        .report = report,
                                        .reshapes = 1,
+                                       .has_border = 1,
                                        .reports_alone = 1};

@@ -50,5 +50,4 @@ const operation operation_hitmiss = {.name = "hitmiss",
                                      .summary = "where a pattern occurs in a mask",
                                      .help = help,
                                      .parse = parse,
-                                     .apply = apply,
-                                     .has_border = 1};
+                                     .apply = apply};

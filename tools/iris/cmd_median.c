@@ -51,5 +51,4 @@ const operation operation_median = {.name = "median",
                                     .summary = "the middle one of the surroundings: specks go, edges stay",
                                     .help = help,
                                     .parse = parse,
-                                    .apply = apply,
-                                    .has_border = 1};
+                                    .apply = apply};

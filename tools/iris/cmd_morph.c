@@ -84,8 +84,7 @@ static int parse(void *settings, operation_words *words)
                                         .help = "usage: iris " #word ELEMENT_USAGE text ELEMENT_OPTIONS      \
                                                 "example: iris " #word " " example,                          \
                                         .parse = parse,                                                      \
-                                        .apply = apply_##word,                                               \
-                                        .has_border = 1};
+                                        .apply = apply_##word};
 
 MORPH_OPERATION(dilate, iris_morph_dilate, 1, "the brightest of each pixel's neighbors",
                 "Each pixel becomes the brightest of its neighbors: what is bright (white) grows.\n",

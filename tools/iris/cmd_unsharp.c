@@ -58,5 +58,4 @@ const operation operation_unsharp = {.name = "unsharp",
                                      .summary = "makes edges steeper by what a blur takes away",
                                      .help = help,
                                      .parse = parse,
-                                     .apply = apply,
-                                     .has_border = 1};
+                                     .apply = apply};

@@ -29,11 +29,12 @@ static int read_border(iris_border *border, const char *text)
 static size_t shared_options(args_option *options, operation_words *words, const char **roi,
                              const char **border)
 {
+    const operation *run = words->stage->operation;
     size_t count = 0;
-    if (!words->stage->operation->reshapes) {
+    if (!run->reshapes) {
         options[count++] = (args_option){"roi", 0, NULL, roi};
     }
-    if (words->stage->operation->has_border) {
+    if (run->has_border || !run->reshapes) {
         options[count++] = (args_option){"border", 0, NULL, border};
     }
     if (!words->in_pipe) {

@@ -2,7 +2,7 @@
  * cmd_<name>.c that defines `const operation operation_<name>`, its line in commands.h, and its line in operations.c.
  *
  * Inputs come as IRIS_GRAY8, IRIS_RGB888, or IRIS_MASK1 (1-bit files, and masks made by the stage before), results are
- * one of these. --roi, --border, -o, and --json are read and done here.
+ * one of these. --roi, --border, -o, and --json are read here, and all but --border done.
  */
 #ifndef IRIS_TOOL_OPERATION_H
 #define IRIS_TOOL_OPERATION_H
@@ -19,17 +19,22 @@
 #include "picture.h"
 #include "raw_picture.h"
 
-/* The end of every help text: the options that all operations share. */
-#define OPERATION_OPTIONS                                                                                    \
+/* The end of every help text: the options that all operations share, */
+#define OPERATION_SHARED_OPTIONS                                                                             \
     "  --roi x,y,w,h     works on this part alone; the rest of the picture stays as it was\n"                \
     "  --json            one JSON object per picture\n"                                                      \
     "  -o OUT            .bmp, .pgm, or .ppm; a folder for several inputs; -: standard output\n"
 
-/* The same for operations that look at a pixel's surroundings. */
+/* with --border for operations to which nothing lies beyond the edge, */
+#define OPERATION_OPTIONS                                                                                    \
+    "  --border RULE     taken by every operation; changes nothing here\n" OPERATION_SHARED_OPTIONS
+
+/* and for those that look at a pixel's surroundings. */
 #define OPERATION_BORDER_OPTIONS                                                                             \
     "  --border RULE     beyond the edge: replicate (the default), reflect (mirrored at the\n"               \
     "                    outermost pixel), constant (black; constant:N for level N), or skip\n"              \
-    "                    (pixels that would need it are not evaluated)\n" OPERATION_OPTIONS
+    "                    (pixels that would need it stay as they are, in a new mask "                        \
+    "black)\n" OPERATION_SHARED_OPTIONS
 
 #define OPERATION_SETTINGS_BYTES 8192
 #define STAGE_PICTURES           8
@@ -87,8 +92,8 @@ typedef struct operation {
     /* Adds members to the JSON object that has file, output, width, height, and kind; null: none. */
     void (*report)(json_writer *json, const operation_stage *stage);
 
-    int has_border;    /* 1: takes --border */
     int reshapes;      /* 1: the result may have another size, so that there is no --roi */
+    int has_border;    /* 1: takes --border though it reshapes; all that do not take it */
     int reports_alone; /* 1: --json needs no -o: without it no picture is written */
 } operation;
 
