@@ -54,6 +54,7 @@ static iris_status check(const iris_image *mask, const iris_image *src, const ir
 static iris_status take_memory(canny *c, iris_scratch *scratch)
 {
     const size_t w = (size_t)c->src->w, words = IRIS_CANNY_WORDS(w), all = words * (size_t)c->src->h;
+    const size_t groups = IRIS_CANNY_WORDS(words) * (size_t)c->src->h;
     const size_t row = IRIS_SCRATCH_ROUND(4u * words), smooth = IRIS_BORDER_ROWS_BYTES(w, 1, 1, 1);
     c->smooth_step = smooth / 4;
     c->gradient_step = IRIS_SCRATCH_ROUND(2u * (w + 2u)) / 2u;
@@ -62,14 +63,14 @@ static iris_status take_memory(canny *c, iris_scratch *scratch)
     c->part = (uint32_t *)iris_scratch_take(scratch, row);
     c->strong = (uint32_t *)iris_scratch_take(scratch, row);
     c->weak = (uint32_t *)iris_scratch_take(scratch, 4u * all);
-    c->dirty = (uint32_t *)iris_scratch_take(scratch, (all + 31u) / 32u * 4u);
+    c->dirty = (uint32_t *)iris_scratch_take(scratch, 4u * groups);
     if (!c->smooth || !c->gradients || !c->part || !c->strong || !c->weak || !c->dirty) {
         return IRIS_ERR_SCRATCH;
     }
     memset(c->smooth, c->border.value, c->smooth_step);
     memset(c->gradients, 0, 16u * c->gradient_step);
     memset(c->weak, 0, 4u * all);
-    memset(c->dirty, 0, (all + 31u) / 32u * 4u);
+    memset(c->dirty, 0, 4u * groups);
     c->words = (int32_t)words;
     c->smooth += IRIS_SCRATCH_ALIGN;
     c->gradients++;
@@ -160,12 +161,12 @@ static void make_mask(const canny *c, int32_t y)
                                   c->config.high};
     uint32_t *weak = c->weak + (size_t)y * (size_t)c->words, *row = (uint32_t *)iris_image_row(c->mask, y);
     iris_row_ridges_s16(weak, c->strong, &rows, c->src->w);
-    int32_t index = y * c->words;
-    for (int32_t word = 0; word < c->words; word++, index++) {
+    uint32_t *dirty = c->dirty + (size_t)y * IRIS_CANNY_WORDS(c->words);
+    for (int32_t word = 0; word < c->words; word++) {
         uint32_t part = c->part[word], strong = c->strong[word] & part;
         weak[word] &= part;
         row[word] = (row[word] & ~part) | strong;
-        c->dirty[index / 32] |= (uint32_t)(weak[word] != strong) << index % 32;
+        dirty[word / 32] |= (uint32_t)(weak[word] != strong) << word % 32;
     }
 }
 
@@ -196,7 +197,9 @@ iris_status iris_canny(const iris_image *mask, const iris_image *src, const iris
     }
     if (status == IRIS_OK) {
         int32_t beyond = c.margin < 0 ? 0 : c.margin + 2;
-        iris_hysteresis_run(&(iris_hysteresis){mask, c.part, beyond, src->h - beyond, c.weak, c.dirty});
+        memset(c.strong, 0, 4u * (size_t)c.words);
+        iris_hysteresis_run(
+            &(iris_hysteresis){mask, c.part, c.strong, beyond, src->h - beyond, c.weak, c.dirty});
     }
     iris_scratch_release(scratch, start);
     return status;

@@ -39,7 +39,7 @@ void iris_canny_defaults(iris_canny_config *config);
      IRIS_BORDER_ROWS_BYTES(w, 1, 1, 1) + 8u * IRIS_SCRATCH_ROUND(2u * ((size_t)(w) + 2u)) +                 \
      2u * IRIS_SCRATCH_ROUND(4u * IRIS_CANNY_WORDS(w)) +                                                     \
      IRIS_SCRATCH_ROUND(4u * IRIS_CANNY_WORDS(w) * (size_t)(h)) +                                            \
-     IRIS_SCRATCH_ROUND((IRIS_CANNY_WORDS(w) * (size_t)(h) + 31u) / 32u * 4u))
+     IRIS_SCRATCH_ROUND(4u * IRIS_CANNY_WORDS(IRIS_CANNY_WORDS(w)) * (size_t)(h)))
 #define IRIS_CANNY_WORDS(w) (((size_t)(w) + 31u) / 32u)
 
 /* mask, IRIS_MASK1, of src, IRIS_GRAY8: 1 on edges. config null: the defaults. border is what lies beyond the edge of
