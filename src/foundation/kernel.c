@@ -109,6 +109,13 @@ void iris_row_slide_u32_c(uint32_t *sums, const uint8_t *enter, const uint8_t *l
     }
 }
 
+void iris_row_slide_u16_c(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        sums[i] = (uint16_t)(sums[i] + enter[i] - leave[i]);
+    }
+}
+
 void iris_row_above_mean_u8_c(uint32_t *mask, const uint8_t *src, const uint32_t *sums,
                               iris_row_window window, int32_t n)
 {

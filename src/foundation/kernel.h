@@ -121,6 +121,12 @@ void iris_row_slide_u32_c(uint32_t *sums, const uint8_t *enter, const uint8_t *l
 #define iris_row_slide_u32 iris_row_slide_u32_c
 #endif
 
+/* The same modulo 2^16. */
+void iris_row_slide_u16_c(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
+#ifndef iris_row_slide_u16
+#define iris_row_slide_u16 iris_row_slide_u16_c
+#endif
+
 /* bit i = src[i] > mean - c, where mean = (sums[i] + ... + sums[i + side - 1]) / side^2, exactly. sums holds
  * n + side - 1 columns, each of at most 255 * side. */
 void iris_row_above_mean_u8_c(uint32_t *mask, const uint8_t *src, const uint32_t *sums,

@@ -1,5 +1,6 @@
 #include "iris/xt/blur.h"
 
+#include "../foundation/kernel.h"
 #include "../foundation/rows.h"
 #include "filter.h"
 
@@ -46,14 +47,6 @@ static void means(uint8_t *dst, const uint16_t *columns, int32_t n, int32_t chan
     }
 }
 
-/* Down by one row; modulo 2^16, which does not matter for sums that fit. */
-static void slide(uint16_t *columns, const uint8_t *enter, const uint8_t *leave, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++) {
-        columns[i] = (uint16_t)(columns[i] + enter[i] - leave[i]);
-    }
-}
-
 /* The sums of a window above row 0: it moves down when that row is made. */
 static void start(uint16_t *columns, const iris_rows *rows, iris_rows_window window, int32_t n)
 {
@@ -95,8 +88,8 @@ iris_status iris_blur_box(const iris_image *dst, const iris_image *src, int32_t 
     rows.window = window; /* what iris_rows_span goes by */
     for (; rows.y < src->h; iris_rows_next(&rows)) {
         int32_t first, end, before = window.left * channels;
-        slide(columns, iris_rows_at(&rows, window.below) - before,
-              iris_rows_at(&rows, -window.above - 1) - before, n);
+        iris_row_slide_u16(columns, iris_rows_at(&rows, window.below) - before,
+                           iris_rows_at(&rows, -window.above - 1) - before, n);
         if (iris_rows_span(&first, &end, &rows)) {
             means((uint8_t *)iris_image_row(dst, rows.y) + first * channels,
                   columns + (first - window.left) * channels + before, (end - first) * channels, channels,

@@ -2,14 +2,24 @@
 
 #define TILE 64 /* samples that are settled at a time */
 
-/* Of n < 0 the quotient is rounded down too: it is minus what (divisor - 1 - n) / divisor is. A divisor that is a power
- * of two is a shift, by 31 less than that of the factor. */
-static inline int16_t settle_s16(int32_t n, const iris_row_quotient *q, int by_shift)
+/* n / divisor, rounded down, of either sign. A divisor that is a power of two is a shift, by 31 less than that of the
+ * factor. */
+static inline int32_t quotient_of(int32_t n, const iris_row_quotient *q, int by_shift)
 {
-    int32_t size = n >= 0 ? n : q->divisor - 1 - n;
-    int32_t value = by_shift ? size >> (q->shift - 31) : size / q->divisor;
-    value = n >= 0 || q->absolute ? value : -value;
-    return (int16_t)(value > INT16_MAX ? INT16_MAX : value < INT16_MIN ? INT16_MIN : value);
+    if (by_shift) {
+        return n >> (q->shift - 31);
+    }
+    return n >= 0 ? n / q->divisor : -((q->divisor - 1 - n) / q->divisor);
+}
+
+static void settle_s16(int16_t *dst, const int32_t *sums, const iris_row_quotient *q, int32_t n)
+{
+    int by_shift = (q->divisor & (q->divisor - 1)) == 0;
+    for (int32_t i = 0; i < n; i++) {
+        int32_t value = quotient_of(sums[i], q, by_shift);
+        value = q->absolute && value < 0 ? -value : value;
+        dst[i] = (int16_t)(value > INT16_MAX ? INT16_MAX : value < INT16_MIN ? INT16_MIN : value);
+    }
 }
 
 /* What becomes of the sums of n samples from `from` on. */
@@ -17,10 +27,7 @@ static void settle(const iris_convolution *work, const int32_t *sums, int32_t fr
 {
     uint8_t *row = (uint8_t *)iris_image_row(work->dst, work->rows.y);
     if (work->dst->format == IRIS_GRAY_S16) {
-        int by_shift = (work->quotient.divisor & (work->quotient.divisor - 1)) == 0;
-        for (int32_t i = 0; i < n; i++) {
-            ((int16_t *)(void *)row)[from + i] = settle_s16(sums[i], &work->quotient, by_shift);
-        }
+        settle_s16((int16_t *)(void *)row + from, sums, &work->quotient, n);
     } else if (work->dst->format == IRIS_HSL24) {
         uint8_t lightness[TILE];
         const uint8_t *src = (const uint8_t *)iris_image_row(work->rows.src, work->rows.y);

@@ -56,6 +56,11 @@ static void run_slide(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_slide_u32)(words(rows[0]), rows[1], rows[2], n);
 }
 
+static void run_slide_u16(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_slide_u16)((uint16_t *)(void *)rows[0], rows[1], rows[2], n);
+}
+
 static void run_above_mean(int plain, uint8_t **rows, int32_t n)
 {
     BODY(plain, iris_row_above_mean_u8)(words(rows[0]), rows[1], words(rows[2]), window, n);
@@ -65,6 +70,7 @@ static const kernel_case cases[] = {
     {KERNEL(iris_row_above_u8), run_above, choose_limit, {ROW_MASK, ROW(1, 1, 1, fill_near_limit)}},
     {KERNEL(iris_row_scan8_u8), run_scan8, NULL, {ROW(8, 4, 2, fill_u8), ROW_U8}},
     {KERNEL(iris_row_slide_u32), run_slide, NULL, {ROW_U32, ROW_U8, ROW_U8}},
+    {KERNEL(iris_row_slide_u16), run_slide_u16, NULL, {ROW_U16, ROW_U8, ROW_U8}},
     {KERNEL(iris_row_above_mean_u8),
      run_above_mean,
      choose_window,
@@ -129,14 +135,19 @@ static void truth_of_slide(void **state)
     BOTH_BODIES(plain)
     {
         uint32_t sums[N];
+        uint16_t halves_too[N];
         uint8_t enter[N], leave[N], *rows[] = {(uint8_t *)sums, enter, leave};
+        uint8_t *rows_u16[] = {(uint8_t *)halves_too, enter, leave};
         for (int i = 0; i < N; i++) {
             sums[i] = i % 3 == 0 ? 1000u : i % 3 == 1 ? 0u : 0xffffffffu;
+            halves_too[i] = (uint16_t)sums[i];
             enter[i] = i % 3 == 1 ? 0 : 255;
             leave[i] = i % 3 == 2 ? 254 : 255;
         }
         run_slide(plain, rows, N);
+        run_slide_u16(plain, rows_u16, N);
         for (int i = 0; i < N; i++) {
+            assert_int_equal(halves_too[i], (uint16_t)sums[i]);
             assert_int_equal(sums[i], i % 3 == 0 ? 1000u : i % 3 == 1 ? 0xffffff01u : 0u);
         }
     }

@@ -21,6 +21,14 @@ void iris_row_slide_u32_neon(uint32_t *sums, const uint8_t *enter, const uint8_t
     iris_row_slide_u32_c(sums, enter, leave, n);
 }
 
+void iris_row_slide_u16_neon(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
+{
+    for (; n >= 8; n -= 8, sums += 8, enter += 8, leave += 8) {
+        vst1q_u16(sums, vaddq_u16(vld1q_u16(sums), vsubl_u8(vld1_u8(enter), vld1_u8(leave))));
+    }
+    iris_row_slide_u16_c(sums, enter, leave, n);
+}
+
 typedef struct {
     uint32x4_t total; /* of the window before the next pixel's last column, four times */
     int32x4_t c, area;
