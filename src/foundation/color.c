@@ -4,6 +4,7 @@
 
 #include "hsl.h"
 #include "kernel.h"
+#include "views.h"
 
 /* Pixels that go through RGB on the stack at a time; even, for YUV in pairs. */
 #define PIECE 64
@@ -203,8 +204,7 @@ static iris_status views_check(const iris_image *dst, const iris_image *src)
     if (dst->w != src->w || dst->h != src->h) {
         return IRIS_ERR_RANGE;
     }
-    int same = dst->data == src->data && (dst->h == 1 || dst->stride == src->stride) &&
-               same_pixel_bytes(dst->format, src->format);
+    int same = iris_views_same_place(dst, src) && same_pixel_bytes(dst->format, src->format);
     return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
 }
 

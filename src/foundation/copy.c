@@ -2,15 +2,12 @@
 
 #include <string.h>
 
+#include "views.h"
+
 static iris_status check_both(const iris_image *dst, const iris_image *src)
 {
     iris_status status = iris_image_check(dst);
     return status != IRIS_OK ? status : iris_image_check(src);
-}
-
-static int same_place(const iris_image *a, const iris_image *b)
-{
-    return a->data == b->data && (a->stride == b->stride || a->h == 1);
 }
 
 /* 32 pixels from x on. The first `count` (1 to 32) are valid, and no word without one of these is read. */
@@ -55,7 +52,7 @@ static iris_status copy_mask(const iris_image *dst, iris_rect to, const iris_ima
     int32_t to_shift, from_shift;
     iris_image target = words_of(&to_shift, dst, to);
     iris_image part = words_of(&from_shift, src, from);
-    if (same_place(&target, &part) && to_shift == from_shift) {
+    if (iris_views_same_place(&target, &part) && to_shift == from_shift) {
         return IRIS_OK;
     }
     if (iris_image_overlaps(&target, &part)) {
@@ -83,7 +80,7 @@ iris_status iris_copy(const iris_image *dst, const iris_image *src)
         iris_rect all = {0, 0, dst->w, dst->h};
         return copy_mask(dst, all, src, all);
     }
-    if (same_place(dst, src)) {
+    if (iris_views_same_place(dst, src)) {
         return IRIS_OK;
     }
     if (iris_image_overlaps(dst, src)) {

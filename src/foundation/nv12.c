@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "kernel.h"
+#include "views.h"
 
 /* Arguments checked. */
 static void convert_row(uint8_t *dst, iris_format format, const uint8_t *luma, const uint8_t *chroma,
@@ -76,8 +77,7 @@ iris_status iris_nv12_convert(const iris_image *dst, const iris_image *luma, con
     if (dst->w != luma->w || dst->h != luma->h) {
         return IRIS_ERR_RANGE;
     }
-    int same =
-        dst->format == IRIS_GRAY8 && dst->data == luma->data && (dst->stride == luma->stride || dst->h == 1);
+    int same = dst->format == IRIS_GRAY8 && iris_views_same_place(dst, luma);
     if ((!same && iris_image_overlaps(dst, luma)) || iris_image_overlaps(dst, chroma)) {
         return IRIS_ERR_ALIAS;
     }

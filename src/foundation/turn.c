@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "iris/copy.h"
+#include "views.h"
 
 /* What a turning is made of: transposed first, then mirrored. */
 enum { MIRRORED_X = 1, MIRRORED_Y = 2, TRANSPOSED = 4 };
@@ -269,7 +270,7 @@ static iris_status check(const iris_image *dst, const iris_image *src, iris_turn
     if (dst->w != (across ? src->h : src->w) || dst->h != (across ? src->w : src->h)) {
         return IRIS_ERR_RANGE;
     }
-    int in_place = !across && dst->data == src->data && (dst->stride == src->stride || dst->h == 1);
+    int in_place = !across && iris_views_same_place(dst, src);
     return !in_place && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
 }
 

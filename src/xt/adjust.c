@@ -2,6 +2,7 @@
  * comes back as it was when nothing is added, and as the nearest one when something is.
  */
 #include "../foundation/hsl.h"
+#include "../foundation/views.h"
 #include "iris/xt/tone.h"
 #include "tone_picture.h"
 
@@ -104,7 +105,7 @@ static int is_outside(int32_t value, int32_t limit)
 
 iris_status iris_adjust(const iris_image *dst, const iris_image *src, const iris_adjustment *by)
 {
-    iris_status status = by ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    iris_status status = by ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK || src->format == IRIS_GRAY8) {
         return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
     }

@@ -4,8 +4,8 @@
 
 #include "../foundation/kernel.h"
 #include "../foundation/rows.h"
+#include "../foundation/views.h"
 #include "edge_rows.h"
-#include "filter.h"
 
 void iris_automaton_defaults(iris_automaton_config *config)
 {
@@ -94,7 +94,7 @@ static void solitude(const cells *c, uint32_t *rows, size_t step)
 static iris_status check(const iris_image *mask, const iris_image *src, const iris_automaton_config *config,
                          iris_border border)
 {
-    iris_status status = iris_filter_check(mask, src, border);
+    iris_status status = iris_views_check(mask, src, border);
     if (status == IRIS_ERR_ARG || config->generations < 0 ||
         config->generations > IRIS_AUTOMATON_GENERATIONS_MAX) {
         return IRIS_ERR_ARG;

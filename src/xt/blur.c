@@ -1,12 +1,12 @@
 #include "iris/xt/blur.h"
 
+#include "../foundation/views.h"
 #include "blur_rows.h"
-#include "filter.h"
 
 iris_status iris_blur_gaussian(const iris_image *dst, const iris_image *src, iris_q16 sigma_q16,
                                iris_border border, iris_scratch *scratch)
 {
-    iris_status status = iris_filter_check_u8(dst, src, border);
+    iris_status status = iris_views_check_levels(dst, src, border);
     if (status != IRIS_OK || !scratch) {
         return status != IRIS_OK ? status : IRIS_ERR_ARG;
     }

@@ -2,7 +2,7 @@
 
 #include "../foundation/kernel.h"
 #include "../foundation/rows.h"
-#include "filter.h"
+#include "../foundation/views.h"
 
 /* Division by area: n / area is n * factor >> shift for every n below 2^24. With factor = floor(2^shift / area) + 1 the
  * excess of factor * area over 2^shift is at most area, which is at most 2^(shift - 24), and an excess that small never
@@ -65,7 +65,7 @@ static void start(uint16_t *columns, const iris_rows *rows, iris_rows_window win
 iris_status iris_blur_box(const iris_image *dst, const iris_image *src, int32_t side, iris_border border,
                           iris_scratch *scratch)
 {
-    iris_status status = iris_filter_check_u8(dst, src, border);
+    iris_status status = iris_views_check_levels(dst, src, border);
     if (status != IRIS_OK || !scratch) {
         return status != IRIS_OK ? status : IRIS_ERR_ARG;
     }

@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "../foundation/kernel.h"
+#include "../foundation/views.h"
 #include "blur_rows.h"
 #include "edge_rows.h"
-#include "filter.h"
 #include "hysteresis.h"
 
 /* A picture on its way through the steps, each a row behind the one before it. */
@@ -39,7 +39,7 @@ void iris_canny_defaults(iris_canny_config *config)
 static iris_status check(const iris_image *mask, const iris_image *src, const iris_canny_config *config,
                          iris_border border)
 {
-    iris_status status = iris_filter_check(mask, src, border);
+    iris_status status = iris_views_check(mask, src, border);
     if (status == IRIS_ERR_ARG) {
         return status;
     }

@@ -1,7 +1,7 @@
 #include "iris/xt/convolve.h"
 
+#include "../foundation/views.h"
 #include "convolve_rows.h"
-#include "filter.h"
 #include "rank_one.h"
 
 /* Rounded division by a constant: a sum starts so that what is left to do is to round down. The excess of factor *
@@ -75,14 +75,14 @@ static iris_status check_kernel(const iris_kernel *kernel)
 static iris_status check(const iris_image *dst, const iris_image *src, const iris_kernel *kernel,
                          iris_border border)
 {
-    iris_status status = iris_filter_check(dst, src, border);
+    iris_status status = iris_views_check(dst, src, border);
     if (status == IRIS_ERR_ARG) {
         return status;
     }
     int to_s16 = src->format == IRIS_GRAY8 && dst->format == IRIS_GRAY_S16;
     int lightness = src->format == IRIS_HSL24 && dst->format == IRIS_HSL24;
     if (!to_s16 && !lightness) {
-        status = iris_filter_check_u8(dst, src, border);
+        status = iris_views_check_levels(dst, src, border);
     }
     return status != IRIS_OK ? status : check_kernel(kernel);
 }

@@ -1,14 +1,14 @@
 #include "iris/xt/distance.h"
 
 #include "../foundation/kernel.h"
-#include "filter.h"
+#include "../foundation/views.h"
 
 static iris_status check(const iris_image *distance, const iris_image *mask, iris_distance_metric metric)
 {
     if (metric != IRIS_DISTANCE_L1 && metric != IRIS_DISTANCE_CHAMFER) {
         return IRIS_ERR_ARG;
     }
-    return iris_filter_check_formats(distance, IRIS_GRAY_U16, mask, IRIS_MASK1);
+    return iris_views_check_formats(distance, IRIS_GRAY_U16, mask, IRIS_MASK1);
 }
 
 iris_status iris_distance_transform(const iris_image *distance, const iris_image *mask,

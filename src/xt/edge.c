@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "../foundation/rows.h"
+#include "../foundation/views.h"
 #include "edge_rows.h"
-#include "filter.h"
 #include "log_rows.h"
 
 void iris_edge_defaults(iris_edge_config *config)
@@ -53,7 +53,7 @@ static iris_status check_config(edge_walk *walk, const iris_edge_config *config)
 static iris_status check_view(const iris_image *dst, iris_format format, const iris_image *src,
                               iris_border border)
 {
-    iris_status status = iris_filter_check(dst, src, border);
+    iris_status status = iris_views_check(dst, src, border);
     return status != IRIS_ERR_ARG && (dst->format != format || src->format != IRIS_GRAY8) ? IRIS_ERR_FORMAT
                                                                                           : status;
 }

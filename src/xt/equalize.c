@@ -1,12 +1,13 @@
 #include "iris/xt/equalize.h"
 
+#include "../foundation/views.h"
 #include "iris/xt/histogram.h"
 #include "iris/xt/tone.h"
 #include "tone_picture.h"
 
 iris_status iris_equalize(const iris_image *dst, const iris_image *src, iris_scratch *scratch)
 {
-    iris_status status = scratch ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    iris_status status = scratch ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK) {
         return status;
     }

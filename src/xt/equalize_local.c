@@ -2,6 +2,7 @@
 #include "iris/xt/equalize.h"
 
 #include "../foundation/lightness.h"
+#include "../foundation/views.h"
 #include "iris/xt/histogram.h"
 #include "tone_picture.h"
 
@@ -185,7 +186,7 @@ iris_status iris_equalize_local(const iris_image *dst, const iris_image *src,
                                 const iris_equalize_local_config *config, iris_scratch *scratch)
 {
     iris_equalize_local_config by;
-    iris_status status = scratch ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    iris_status status = scratch ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK) {
         return status;
     }

@@ -1,7 +1,7 @@
 #include "iris/xt/hitmiss.h"
 
 #include "../foundation/rows.h"
-#include "filter.h"
+#include "../foundation/views.h"
 #include "mask_bits.h"
 
 iris_status iris_hitmiss_pattern_read(iris_hitmiss_pattern *pattern, const char *text)
@@ -43,7 +43,7 @@ iris_status iris_hitmiss_pattern_read(iris_hitmiss_pattern *pattern, const char 
 
 static iris_status check(const iris_image *dst, const iris_image *src, const iris_hitmiss_pattern *pattern)
 {
-    iris_status status = iris_filter_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1);
+    iris_status status = iris_views_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1);
     int fits = pattern->w >= 1 && pattern->w <= IRIS_HITMISS_SIDE_MAX && pattern->h >= 1 &&
                pattern->h <= IRIS_HITMISS_SIDE_MAX;
     return status == IRIS_OK && !fits ? IRIS_ERR_RANGE : status;

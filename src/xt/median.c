@@ -2,7 +2,7 @@
 
 #include "../foundation/kernel.h"
 #include "../foundation/rows.h"
-#include "filter.h"
+#include "../foundation/views.h"
 
 static void row_of_3(uint8_t *dst, const iris_rows *rows, int32_t from, int32_t n)
 {
@@ -63,7 +63,7 @@ static iris_status median(const iris_image *dst, const iris_image *src, int32_t 
 iris_status iris_median(const iris_image *dst, const iris_image *src, int32_t side, iris_border border,
                         iris_scratch *scratch)
 {
-    iris_status status = iris_filter_check_u8(dst, src, border);
+    iris_status status = iris_views_check_levels(dst, src, border);
     if (status != IRIS_OK || !scratch) {
         return status != IRIS_OK ? status : IRIS_ERR_ARG;
     }

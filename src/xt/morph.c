@@ -1,6 +1,7 @@
 #include "iris/xt/morph.h"
 
 #include "../foundation/kernel.h"
+#include "../foundation/views.h"
 #include "mask_bits.h"
 #include "morph_step.h"
 
@@ -25,23 +26,9 @@ static iris_status check_element(const iris_morph_element *element)
 
 static iris_status check_pictures(const iris_image *dst, const iris_image *src)
 {
-    iris_status status = iris_image_check(dst);
-    if (status == IRIS_OK) {
-        status = iris_image_check(src);
-    }
-    if (status != IRIS_OK) {
-        return status;
-    }
-    iris_format format = src->format;
-    if (dst->format != format ||
-        (format != IRIS_GRAY8 && format != IRIS_RGB888 && format != IRIS_BGR888 && format != IRIS_MASK1)) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != src->w || dst->h != src->h) {
-        return IRIS_ERR_RANGE;
-    }
-    int same = dst->data == src->data && (dst->stride == src->stride || dst->h == 1);
-    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
+    int masks = dst && src && dst->format == IRIS_MASK1 && src->format == IRIS_MASK1;
+    return masks ? iris_views_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1)
+                 : iris_views_check_levels(dst, src, IRIS_BORDER_NONE);
 }
 
 /* dst = a - b, at least 0; of masks, what is set in a alone. */

@@ -1,10 +1,10 @@
-#include "filter.h"
+#include "../foundation/views.h"
 #include "skeleton_parts.h"
 
 static iris_status start(iris_thinning *thinning, const iris_image *dst, const iris_image *src,
                          iris_scratch *scratch)
 {
-    iris_status status = scratch ? iris_filter_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1) : IRIS_ERR_ARG;
+    iris_status status = scratch ? iris_views_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1) : IRIS_ERR_ARG;
     if (status == IRIS_OK) {
         status = iris_thinning_begin(thinning, (iris_size){src->w, src->h}, scratch);
     }

@@ -1,4 +1,4 @@
-#include "filter.h"
+#include "../foundation/views.h"
 #include "skeleton_parts.h"
 
 #include <string.h>
@@ -28,7 +28,7 @@ static uint64_t branches(const uint64_t *above, const uint64_t *word, const uint
 /* Writes the points of every row, with the three rows around it in a ring. */
 static iris_status find(const iris_image *dst, const iris_image *src, points of, iris_scratch *scratch)
 {
-    iris_status status = scratch ? iris_filter_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1) : IRIS_ERR_ARG;
+    iris_status status = scratch ? iris_views_check_formats(dst, IRIS_MASK1, src, IRIS_MASK1) : IRIS_ERR_ARG;
     if (status != IRIS_OK) {
         return status;
     }

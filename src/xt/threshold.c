@@ -1,7 +1,7 @@
 #include "iris/xt/threshold.h"
 
 #include "../foundation/kernel.h"
-#include "filter.h"
+#include "../foundation/views.h"
 #include "iris/xt/histogram.h"
 
 static iris_status check(const iris_image *mask, const iris_image *gray, iris_select select)
@@ -9,7 +9,7 @@ static iris_status check(const iris_image *mask, const iris_image *gray, iris_se
     if (select != IRIS_SELECT_BRIGHT && select != IRIS_SELECT_DARK) {
         return IRIS_ERR_ARG;
     }
-    return iris_filter_check_formats(mask, IRIS_MASK1, gray, IRIS_GRAY8);
+    return iris_views_check_formats(mask, IRIS_MASK1, gray, IRIS_GRAY8);
 }
 
 /* A finished row of "bright" becomes a row of `select`. */

@@ -2,30 +2,8 @@
 #include "tone_picture.h"
 
 #include "../foundation/lightness.h"
+#include "../foundation/views.h"
 #include "iris/xt/tone.h"
-
-iris_status iris_tone_check(const iris_image *dst, const iris_image *src)
-{
-    if (!dst || !src) {
-        return IRIS_ERR_ARG;
-    }
-    iris_status status = iris_image_check(dst);
-    if (status == IRIS_OK) {
-        status = iris_image_check(src);
-    }
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (dst->format != src->format ||
-        (src->format != IRIS_GRAY8 && src->format != IRIS_RGB888 && src->format != IRIS_BGR888)) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != src->w || dst->h != src->h) {
-        return IRIS_ERR_RANGE;
-    }
-    int same = dst->data == src->data && (dst->h == 1 || dst->stride == src->stride);
-    return !same && iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
-}
 
 /* Four at a time, all read before one is written: dst and src may lie so that a processor takes them for the same. */
 static void row_apply(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n)
@@ -62,7 +40,7 @@ iris_status iris_tone_row(uint8_t *dst, const uint8_t *src, int32_t n, const iri
 
 iris_status iris_tone_apply(const iris_image *dst, const iris_image *src, const iris_tone *tone)
 {
-    iris_status status = tone ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    iris_status status = tone ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK) {
         return status;
     }
@@ -77,7 +55,8 @@ iris_status iris_tone_apply(const iris_image *dst, const iris_image *src, const 
 iris_status iris_tone_apply_rgb(const iris_image *dst, const iris_image *src, const iris_tone *red,
                                 const iris_tone *green, const iris_tone *blue)
 {
-    iris_status status = red && green && blue ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    iris_status status =
+        red && green && blue ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK || src->format == IRIS_GRAY8) {
         return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
     }
@@ -100,7 +79,7 @@ iris_status iris_tone_apply_lightness(const iris_image *dst, const iris_image *s
     if (src && src->format == IRIS_GRAY8) {
         return iris_tone_apply(dst, src, tone);
     }
-    iris_status status = tone ? iris_tone_check(dst, src) : IRIS_ERR_ARG;
+    iris_status status = tone ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK) {
         return status;
     }

@@ -1,8 +1,8 @@
 #include "iris/xt/unsharp.h"
 
 #include "../foundation/kernel.h"
+#include "../foundation/views.h"
 #include "blur_rows.h"
-#include "filter.h"
 
 void iris_unsharp_defaults(iris_unsharp_config *config)
 {
@@ -42,7 +42,7 @@ static iris_status unsharp(const iris_image *dst, const iris_image *src, const i
 iris_status iris_unsharp(const iris_image *dst, const iris_image *src, const iris_unsharp_config *config,
                          iris_border border, iris_scratch *scratch)
 {
-    iris_status status = iris_filter_check_u8(dst, src, border);
+    iris_status status = iris_views_check_levels(dst, src, border);
     if (status != IRIS_OK || !scratch) {
         return status != IRIS_OK ? status : IRIS_ERR_ARG;
     }

@@ -1,0 +1,25 @@
+/* What operations from one picture to another of the same size ask of their arguments. The errors come in the order
+ * argument, invalid view, format, size, aliasing.
+ */
+#ifndef IRIS_FOUNDATION_VIEWS_H
+#define IRIS_FOUNDATION_VIEWS_H
+
+#include "iris/border.h"
+#include "iris/image.h"
+
+/* 1 when both are the same rows of memory, whatever their formats. */
+int iris_views_same_place(const iris_image *a, const iris_image *b);
+
+/* Any formats. dst may be src when their formats are the same. For operations without a border: IRIS_BORDER_NONE. */
+iris_status iris_views_check(const iris_image *dst, const iris_image *src, iris_border border);
+
+/* The same, and both are IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888. */
+iris_status iris_views_check_levels(const iris_image *dst, const iris_image *src, iris_border border);
+
+/* The same without a border, and dst has the format `to` and src the format `from`. */
+iris_status iris_views_check_formats(const iris_image *dst, iris_format to, const iris_image *src,
+                                     iris_format from);
+
+#define IRIS_BORDER_NONE ((iris_border){IRIS_BORDER_REPLICATE, 0})
+
+#endif
