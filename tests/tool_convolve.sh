@@ -98,6 +98,8 @@ works "unsharp" unsharp --sigma 0.8 --amount 2 step.pgm -o out.pgm
 same "unsharp, pixels" out.pgm 50350a3820310a3235350a64646250a08e8c8c
 works "unsharp with a threshold" unsharp --sigma 0.8 --amount 2 --threshold 1 step.pgm -o out.pgm
 same "unsharp with a threshold, pixels" out.pgm 50350a3820310a3235350a64646450a08c8c8c
+works "more decimals than count" unsharp --sigma 0.800000000000000000001 --amount 2.00000000000 step.pgm -o out.pgm
+same "more decimals than count, pixels" out.pgm 50350a3820310a3235350a64646250a08e8c8c
 refuses "sigma of unsharp" 2 "^iris unsharp: --sigma: " unsharp --sigma 0 step.pgm -o no.pgm
 refuses "amount of unsharp" 2 "^iris unsharp: --amount: " unsharp --amount 17 step.pgm -o no.pgm
 refuses "threshold of unsharp" 2 "^iris unsharp: --threshold: " unsharp --threshold 256 step.pgm -o no.pgm

@@ -76,12 +76,12 @@ iris_status iris_tone_apply_rgb(const iris_image *dst, const iris_image *src, co
 
 iris_status iris_tone_apply_lightness(const iris_image *dst, const iris_image *src, const iris_tone *tone)
 {
-    if (src && src->format == IRIS_GRAY8) {
-        return iris_tone_apply(dst, src, tone);
-    }
     iris_status status = tone ? iris_views_check_levels(dst, src, IRIS_BORDER_NONE) : IRIS_ERR_ARG;
     if (status != IRIS_OK) {
         return status;
+    }
+    if (src->format == IRIS_GRAY8) {
+        return iris_tone_apply(dst, src, tone);
     }
     for (int32_t y = 0; y < src->h; y++) {
         uint8_t *to = (uint8_t *)iris_image_row(dst, y);

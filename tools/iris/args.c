@@ -119,27 +119,28 @@ int args_numbers(int32_t *numbers, int count, char separator, const char *text)
 
 int args_q16(int32_t *number, int32_t least_q16, int32_t most_q16, const char *text)
 {
-    int negative = text[0] == '-';
-    int64_t value = 0, scale = 1;
+    int64_t sign = text[0] == '-' ? -1 : 1;
+    int64_t whole = 0, fraction = 0, scale = 1;
     int digits = 0, after_point = 0;
-    for (text += negative; *text != '\0'; text++) {
+    for (text += sign < 0; *text != '\0'; text++) {
         if (*text == '.' && !after_point) {
             after_point = 1;
             continue;
         }
-        if (*text < '0' || *text > '9' || value > INT32_MAX) {
+        if (*text < '0' || *text > '9' || whole > INT16_MAX + 1) {
             return 0;
         }
-        if (scale < 1000000000) { /* further digits are below half of 1/65536 */
-            value = value * 10 + (*text - '0');
-            scale *= after_point ? 10 : 1;
+        if (!after_point) {
+            whole = whole * 10 + (*text - '0');
+        } else if (scale < 1000000000000) { /* further digits weigh nothing */
+            fraction = fraction * 10 + (*text - '0');
+            scale *= 10;
         }
         digits++;
     }
-    int64_t q16 = value > INT32_MAX ? INT32_MAX : (value * 65536 * 2 + scale) / (2 * scale);
-    q16 = negative ? -q16 : q16;
+    int64_t q16 = sign * (whole * 65536 + (fraction * 131072 + scale) / (2 * scale));
     *number = (int32_t)q16;
-    return digits > 0 && value <= INT32_MAX && q16 >= least_q16 && q16 <= most_q16;
+    return digits > 0 && q16 >= least_q16 && q16 <= most_q16;
 }
 
 int args_rect(iris_rect *rect, const char *option, const char *text)
