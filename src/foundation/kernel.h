@@ -289,15 +289,21 @@ void iris_row_bell_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *
 #endif
 
 /* Differences of the 3x3 pixels around, of three rows that are readable from -1 to n: dx is the sum of what the right
- * ones are more than the left ones, and `more` 128ths (0 to 128) of the middle difference, rounded; dy the same down. */
+ * ones are more than the left ones, and `more` 128ths (0 to 128) of the middle difference, rounded; dy: same, down. */
 void iris_row_gradient_u8_c(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
                             int32_t n);
 #ifndef iris_row_gradient_u8
 #define iris_row_gradient_u8 iris_row_gradient_u8_c
 #endif
 
-/* dst = size * gain, rounded, at most 255. size: not negative; gain below 16.0. */
-void iris_row_gain_s16_c(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n);
+/* dst = the sum of the four neighbors less 4 times the pixel, of three rows that are readable from -1 to n. */
+void iris_row_laplacian_u8_c(int16_t *dst, const uint8_t *const rows[3], int32_t n);
+#ifndef iris_row_laplacian_u8
+#define iris_row_laplacian_u8 iris_row_laplacian_u8_c
+#endif
+
+/* dst = |src| * gain, rounded, at most 255. src: above -32768; gain below 16.0. */
+void iris_row_gain_s16_c(uint8_t *dst, const int16_t *src, uint32_t gain_q16, int32_t n);
 #ifndef iris_row_gain_s16
 #define iris_row_gain_s16 iris_row_gain_s16_c
 #endif
@@ -306,6 +312,13 @@ void iris_row_gain_s16_c(uint8_t *dst, const int16_t *size, uint32_t gain_q16, i
 void iris_row_above_s16_c(uint32_t *mask, const int16_t *src, int32_t limit, int32_t n);
 #ifndef iris_row_above_s16
 #define iris_row_above_s16 iris_row_above_s16_c
+#endif
+
+/* bit = a zero crossing by the rules of iris/xt/edge.h, of three rows that are readable from -1 to n and above -32768;
+ * threshold 0 to 32767. */
+void iris_row_crossings_s16_c(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n);
+#ifndef iris_row_crossings_s16
+#define iris_row_crossings_s16 iris_row_crossings_s16_c
 #endif
 
 /* bit = the gradient is greatest across its edge, by the rules of iris/xt/canny.h, and above low (above high). */

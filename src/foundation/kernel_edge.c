@@ -44,11 +44,19 @@ void iris_row_gradient_u8_c(const iris_row_gradient *to, const uint8_t *const ro
     }
 }
 
-void iris_row_gain_s16_c(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n)
+void iris_row_laplacian_u8_c(int16_t *dst, const uint8_t *const rows[3], int32_t n)
+{
+    const uint8_t *above = rows[0], *here = rows[1], *below = rows[2];
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = (int16_t)(above[i] + below[i] + here[i - 1] + here[i + 1] - 4 * here[i]);
+    }
+}
+
+void iris_row_gain_s16_c(uint8_t *dst, const int16_t *src, uint32_t gain_q16, int32_t n)
 {
     const uint32_t white = gain_q16 == 0 ? UINT32_MAX : (256u << 16) / gain_q16 + 1;
     for (int32_t i = 0; i < n; i++) {
-        uint32_t level = (uint32_t)size[i];
+        uint32_t level = (uint32_t)(src[i] < 0 ? -src[i] : src[i]);
         level = level >= white ? 255 : (level * gain_q16 + 32768u) >> 16;
         dst[i] = (uint8_t)(level > 255 ? 255 : level);
     }
@@ -63,6 +71,38 @@ void iris_row_above_s16_c(uint32_t *mask, const int16_t *src, int32_t limit, int
             bits |= (uint32_t)(src[i] > limit) << i;
         }
         iris_row_put_bits(&mask[start / 32], bits, count);
+    }
+}
+
+/* Does the value change its sign between a and b, or does it at a pixel of value 0 between them? */
+static inline int crosses(int32_t a, int32_t b, int32_t threshold)
+{
+    return (a < 0 && b > 0 && b - a > threshold) || (a > 0 && b < 0 && a - b > threshold);
+}
+
+/* Is here the pixel of a crossing from before to after? */
+static inline int is_crossing(int32_t before, int32_t here, int32_t after, int32_t threshold)
+{
+    if (here == 0) {
+        return crosses(before, after, threshold);
+    }
+    int32_t size = here < 0 ? -here : here;
+    return (crosses(before, here, threshold) && size < (before < 0 ? -before : before)) ||
+           (crosses(here, after, threshold) && size <= (after < 0 ? -after : after));
+}
+
+void iris_row_crossings_s16_c(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n)
+{
+    const int16_t *above = rows[0], *here = rows[1], *below = rows[2];
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t end = n - start < 32 ? n : start + 32;
+        uint32_t bits = 0;
+        for (int32_t i = start; i < end; i++) {
+            int crosses_here = is_crossing(here[i - 1], here[i], here[i + 1], threshold) ||
+                               is_crossing(above[i], here[i], below[i], threshold);
+            bits |= (uint32_t)crosses_here << (i - start);
+        }
+        iris_row_put_bits(&mask[start / 32], bits, end - start);
     }
 }
 

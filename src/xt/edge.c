@@ -14,6 +14,10 @@ void iris_edge_defaults(iris_edge_config *config)
     }
 }
 
+/* Rows of values, 0 until written: what is named DX to SIZE, or a ring of three; one that stays 0; and one for a row of
+ * a mask. */
+enum { DX, DY, SIZE, ZEROS, BITS, ROWS };
+
 /* A call on its way down the picture. */
 typedef struct {
     iris_edge_config config;
@@ -22,7 +26,7 @@ typedef struct {
     int32_t y;
     iris_rows rows;     /* around row y; not of LOG */
     iris_log_rows log;  /* before row y; of LOG */
-    int16_t *values;    /* four rows */
+    int16_t *values;    /* ROWS rows */
     size_t row_step;    /* from one to the next */
     int32_t first, end; /* the pixels of row y that are evaluated */
     iris_scratch *scratch;
@@ -69,7 +73,7 @@ static iris_status walk_begin(edge_walk *walk, const iris_image *src, iris_borde
     walk->scratch = scratch;
     walk->mark = iris_scratch_mark(scratch);
     walk->row_step = row_bytes / 2;
-    walk->values = (int16_t *)iris_scratch_take(scratch, 4 * row_bytes);
+    walk->values = (int16_t *)iris_scratch_take(scratch, ROWS * row_bytes);
     if (!walk->values) {
         return IRIS_ERR_SCRATCH;
     }
@@ -81,7 +85,7 @@ static iris_status walk_begin(edge_walk *walk, const iris_image *src, iris_borde
         iris_scratch_release(scratch, walk->mark);
         return status;
     }
-    memset(walk->values, 0, 4 * row_bytes);
+    memset(walk->values, 0, ROWS * row_bytes);
     return IRIS_OK;
 }
 
@@ -91,10 +95,7 @@ static iris_status walk_end(const edge_walk *walk)
     return IRIS_OK;
 }
 
-/* One of four rows of values, 0 until written, readable one pixel beyond its ends: what the calls name DX to SIZE, or a
- * ring of three. */
-enum { DX, DY, SIZE, SPARE };
-
+/* Readable one pixel beyond its ends. */
 static int16_t *values_row(const edge_walk *walk, int32_t index)
 {
     return walk->values + (size_t)index * walk->row_step + 1;
@@ -111,12 +112,12 @@ static int walk_span(edge_walk *walk)
     return walk->end > 0 && walk->y < walk->src->h - 1;
 }
 
-/* The differences of row y, once for each row; 0 when none are to be evaluated. Where there is one value, it goes to
- * dx, and the rest is not written. */
-static int walk_values(edge_walk *walk, int16_t *dx, int16_t *dy)
+/* The differences of row y into rows of its pixels, once for each row; 0 when none are to be evaluated. Where there is
+ * one value, it goes to dx, and the rest is not written. */
+static int walk_values(edge_walk *walk, iris_row_gradient to)
 {
     if (walk->config.op == IRIS_EDGE_LOG) {
-        return iris_log_rows_next(&walk->log, dx, &walk->first, &walk->end);
+        return iris_log_rows_next(&walk->log, to.dx, &walk->first, &walk->end);
     }
     if (!walk_span(walk)) {
         return 0;
@@ -125,20 +126,16 @@ static int walk_values(edge_walk *walk, int16_t *dx, int16_t *dy)
     const uint8_t *const rows[3] = {iris_rows_at(&walk->rows, -1) + first,
                                     iris_rows_at(&walk->rows, 0) + first,
                                     iris_rows_at(&walk->rows, 1) + first};
-    const iris_row_gradient to = {dx + first, dy ? dy + first : NULL, values_row(walk, SIZE) + first};
+    to = (iris_row_gradient){to.dx + first, to.dy + first, to.size + first};
     iris_edge_row(&to, rows, walk->config.op, walk->end - first);
     return 1;
 }
 
-/* DX, DY, and SIZE of row y; 0 when none are to be evaluated. */
+/* DX, DY, and SIZE of row y (DX alone where there is one value); 0 when none are to be evaluated. */
 static int walk_row(edge_walk *walk)
 {
-    int16_t *dx = values_row(walk, DX), *size = values_row(walk, SIZE);
-    int some = walk_values(walk, dx, values_row(walk, DY));
-    for (int32_t x = walk->first; some && has_one_value(walk->config.op) && x < walk->end; x++) {
-        size[x] = (int16_t)(dx[x] < 0 ? -dx[x] : dx[x]);
-    }
-    return some;
+    return walk_values(
+        walk, (iris_row_gradient){values_row(walk, DX), values_row(walk, DY), values_row(walk, SIZE)});
 }
 
 static void walk_next(edge_walk *walk)
@@ -182,7 +179,8 @@ iris_status iris_edge_gradient(const iris_image *dx, const iris_image *dy, const
         return status;
     }
     for (; walk.y < src->h; walk_next(&walk)) {
-        (void)walk_values(&walk, row_or(dx, &walk, DX), row_or(dy, &walk, DY));
+        (void)walk_values(&walk, (iris_row_gradient){row_or(dx, &walk, DX), row_or(dy, &walk, DY),
+                                                     values_row(&walk, SIZE)});
     }
     return walk_end(&walk);
 }
@@ -213,11 +211,11 @@ iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, co
     if (status != IRIS_OK) {
         return status;
     }
+    const int16_t *sizes = values_row(&walk, has_one_value(walk.config.op) ? DX : SIZE);
     for (; walk.y < src->h; walk_next(&walk)) {
         if (walk_row(&walk)) {
             uint8_t *row = (uint8_t *)iris_image_row(dst, walk.y) + walk.first;
-            iris_row_gain_s16(row, values_row(&walk, SIZE) + walk.first, (uint32_t)walk.config.gain_q16,
-                              walk.end - walk.first);
+            iris_row_gain_s16(row, sizes + walk.first, (uint32_t)walk.config.gain_q16, walk.end - walk.first);
         }
     }
     return walk_end(&walk);
@@ -245,71 +243,43 @@ iris_status iris_edge_direction(const iris_image *dst, const iris_image *src, co
     return walk_end(&walk);
 }
 
+/* Puts the pixels first to end - 1 of a row of bits into row y. */
+static void put_bits(const iris_image *mask, int32_t y, const uint32_t *bits, int32_t first, int32_t end)
+{
+    uint32_t *row = (uint32_t *)iris_image_row(mask, y);
+    for (int32_t word = first / 32; 32 * word < end; word++) {
+        uint32_t part = iris_mask_part(word, first, end);
+        row[word] = (row[word] & ~part) | (bits[word] & part);
+    }
+}
+
 static void mask_magnitude(const iris_image *mask, edge_walk *walk)
 {
-    uint32_t *bits = (uint32_t *)(walk->values + SPARE * walk->row_step);
+    uint32_t *bits = (uint32_t *)(walk->values + BITS * walk->row_step);
     for (; walk->y < mask->h; walk_next(walk)) {
-        if (!walk_row(walk)) {
-            continue;
-        }
-        uint32_t *row = (uint32_t *)iris_image_row(mask, walk->y);
-        iris_row_above_s16(bits, values_row(walk, SIZE), walk->config.threshold, mask->w);
-        for (int32_t word = 0; word < (mask->w + 31) / 32; word++) {
-            uint32_t part = iris_mask_part(word, walk->first, walk->end);
-            row[word] = (row[word] & ~part) | (bits[word] & part);
+        if (walk_row(walk)) {
+            iris_row_above_s16(bits, values_row(walk, SIZE), walk->config.threshold, mask->w);
+            put_bits(mask, walk->y, bits, walk->first, walk->end);
         }
     }
 }
 
-/* Does the value change its sign between a and b, or does it at a pixel of value 0 between them? */
-static int crosses(int32_t a, int32_t b, int32_t threshold)
-{
-    return (a < 0 && b > 0 && b - a > threshold) || (a > 0 && b < 0 && a - b > threshold);
-}
-
-/* Is here the pixel of a crossing from before to after? */
-static int is_crossing(int32_t before, int32_t here, int32_t after, int32_t threshold)
-{
-    if (here == 0) {
-        return crosses(before, after, threshold);
-    }
-    int32_t size = here < 0 ? -here : here;
-    return (crosses(before, here, threshold) && size < (before < 0 ? -before : before)) ||
-           (crosses(here, after, threshold) && size <= (after < 0 ? -after : after));
-}
-
-static void row_crossings(uint32_t *row, const int16_t *const values[3], int32_t threshold, int32_t first,
-                          int32_t end)
-{
-    const int16_t *above = values[0], *here = values[1], *below = values[2];
-    for (int32_t word = first / 32; 32 * word < end; word++) {
-        uint32_t part = iris_mask_part(word, first, end), bits = 0;
-        for (int32_t i = 0; i < 32; i++) {
-            int32_t x = 32 * word + i;
-            if (part >> i & 1 && (is_crossing(here[x - 1], here[x], here[x + 1], threshold) ||
-                                  is_crossing(above[x], here[x], below[x], threshold))) {
-                bits |= (uint32_t)1 << i;
-            }
-        }
-        row[word] = (row[word] & ~part) | bits;
-    }
-}
-
-/* Values of three rows in a ring; the fourth stays 0, for what lies beyond the edge. */
+/* Values of three rows in a ring; 0 stands for what lies beyond the edge. */
 static void mask_crossings(const iris_image *mask, edge_walk *walk)
 {
     const int32_t reach = walk->config.op == IRIS_EDGE_LOG ? IRIS_BLUR_RADIUS(walk->config.sigma_q16) : 0;
     const int32_t margin = walk->border.rule == IRIS_BORDER_SKIP ? reach + 2 : 0;
-    const int16_t *zeros = values_row(walk, SPARE);
+    const int16_t *zeros = values_row(walk, ZEROS);
+    uint32_t *bits = (uint32_t *)(walk->values + BITS * walk->row_step);
     const int16_t *values[3] = {zeros, zeros, zeros};
     for (int32_t y = 0; y <= mask->h; y++) {
         int16_t *next = values_row(walk, y % 3);
         values[0] = values[1];
         values[1] = values[2];
-        values[2] = y < mask->h && walk_values(walk, next, NULL) ? next : zeros;
-        if (y > margin && y <= mask->h - margin && margin < mask->w - margin) {
-            row_crossings((uint32_t *)iris_image_row(mask, y - 1), values, walk->config.threshold, margin,
-                          mask->w - margin);
+        values[2] = y < mask->h && walk_values(walk, (iris_row_gradient){next, next, next}) ? next : zeros;
+        if (y > margin && y <= mask->h - margin) {
+            iris_row_crossings_s16(bits, values, walk->config.threshold, mask->w);
+            put_bits(mask, y - 1, bits, margin, mask->w - margin);
         }
         if (y < mask->h) {
             walk_next(walk);

@@ -11,14 +11,6 @@ static void row_roberts(const iris_row_gradient *to, const uint8_t *const rows[3
     }
 }
 
-static void row_laplacian(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t n)
-{
-    const uint8_t *above = rows[0], *here = rows[1], *below = rows[2];
-    for (int32_t x = 0; x < n; x++) {
-        to->dx[x] = (int16_t)(above[x] + below[x] + here[x - 1] + here[x + 1] - 4 * here[x]);
-    }
-}
-
 void iris_edge_row(const iris_row_gradient *to, const uint8_t *const rows[3], iris_edge_operator op,
                    int32_t n)
 {
@@ -36,7 +28,7 @@ void iris_edge_row(const iris_row_gradient *to, const uint8_t *const rows[3], ir
         row_roberts(to, rows, n);
         break;
     case IRIS_EDGE_LAPLACIAN:
-        row_laplacian(to, rows, n);
+        iris_row_laplacian_u8(to->dx, rows, n);
         break;
     case IRIS_EDGE_LOG:
         break; /* log_rows.h */

@@ -1,7 +1,7 @@
 #include "hysteresis.h"
 
-/* All bits of `within` that hang together with one of `seeds`, which is part of it. A sum carries each seed to the upper
- * end of its run; steps of doubling length carry it to the lower one. */
+/* All bits of `within` that hang together with one of `seeds`, which is part of it. A sum carries each seed to the
+ * upper end of its run; steps of doubling length carry it to the lower one. */
 static inline uint32_t fill(uint32_t seeds, uint32_t within)
 {
     uint32_t reached = seeds | (((within + seeds) ^ within) & within), open = within;

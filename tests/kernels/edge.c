@@ -26,6 +26,18 @@ static void choose_limits(void)
     limit = (uint8_t)random_below(256);
 }
 
+/* Values around 0, and of either sign's extremes but one. */
+static void fill_value(uint8_t *row, size_t bytes)
+{
+    uint32_t kind = random_below(3);
+    fill_u16(row, bytes);
+    for (size_t i = 0; i + 1 < bytes; i += 2) {
+        int16_t *value = halves(row + i);
+        *value = (int16_t)(kind == 0 ? *value % 3 : kind == 1 ? *value % 300 : *value);
+        *value = *value == INT16_MIN ? 0 : *value;
+    }
+}
+
 /* Sizes are not negative, and differences within what three bytes give. */
 static void fill_size(uint8_t *row, size_t bytes)
 {
@@ -49,6 +61,18 @@ static void run_gradient(int plain, uint8_t **rows, int32_t n)
     const iris_row_gradient to = {halves(rows[0]), halves(rows[1]), halves(rows[2])};
     const uint8_t *const around[3] = {rows[3], rows[4], rows[5]};
     BODY(plain, iris_row_gradient_u8)(&to, around, more, n);
+}
+
+static void run_laplacian(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *const around[3] = {rows[1], rows[2], rows[3]};
+    BODY(plain, iris_row_laplacian_u8)(halves(rows[0]), around, n);
+}
+
+static void run_crossings(int plain, uint8_t **rows, int32_t n)
+{
+    const int16_t *const around[3] = {halves(rows[1]), halves(rows[2]), halves(rows[3])};
+    BODY(plain, iris_row_crossings_s16)(words(rows[0]), around, low, n);
 }
 
 static void run_gain(int plain, uint8_t **rows, int32_t n)
@@ -75,13 +99,19 @@ static void run_unlike(int plain, uint8_t **rows, int32_t n)
 }
 
 #define ROW3       ROW_U8_AROUND(1, 1)
-#define ROW_SIZE   ROW(1, 2, 2, fill_size)
+#define ROW_VALUE  ROW(1, 2, 2, fill_value)
+#define ROW_VALUE3 ROW_AROUND(1, 2, 2, fill_value, 1, 1)
 #define ROW_SIZE3  ROW_AROUND(1, 2, 2, fill_size, 1, 1)
 #define ROW_CHANGE ROW(1, 2, 2, fill_difference)
 
 static const kernel_case cases[] = {
     {KERNEL(iris_row_gradient_u8), run_gradient, choose_more, {ROW_S16, ROW_S16, ROW_S16, ROW3, ROW3, ROW3}},
-    {KERNEL(iris_row_gain_s16), run_gain, choose_gain, {ROW_U8, ROW_SIZE}},
+    {KERNEL(iris_row_laplacian_u8), run_laplacian, NULL, {ROW_S16, ROW3, ROW3, ROW3}},
+    {KERNEL(iris_row_crossings_s16),
+     run_crossings,
+     choose_limits,
+     {ROW_MASK, ROW_VALUE3, ROW_VALUE3, ROW_VALUE3}},
+    {KERNEL(iris_row_gain_s16), run_gain, choose_gain, {ROW_U8, ROW_VALUE}},
     {KERNEL(iris_row_above_s16), run_above, choose_limits, {ROW_MASK, ROW_S16}},
     {KERNEL(iris_row_ridges_s16),
      run_ridges,
@@ -120,7 +150,7 @@ static void truth_of_gradient(void **state)
 static void truth_of_gain(void **state)
 {
     (void)state;
-    static const int16_t sizes[] = {0, 1, 2, 509, 510, 511, 32767};
+    static const int16_t sizes[] = {0, 1, -2, 509, -510, 511, -32767};
     static const struct {
         uint32_t gain;
         uint8_t levels[7];
@@ -141,6 +171,62 @@ static void truth_of_gain(void **state)
             run_gain(plain, rows, N);
             for (int i = 0; i < N; i++) {
                 assert_int_equal(dst[i], expected[k].levels[i % 7]);
+            }
+        }
+    }
+}
+
+/* A hill of 7 on a slope that the sum of four does not see. */
+static void truth_of_laplacian(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        int16_t to[N];
+        uint8_t around[3][N + 2], *rows[] = {(uint8_t *)to, around[0] + 1, around[1] + 1, around[2] + 1};
+        for (int i = 0; i < 3 * (N + 2); i++) {
+            around[i % 3][i / 3] = (uint8_t)(3 * (i / 3) + 5 * (i % 3) + (i == 3 * 21 + 1 ? 7 : 0));
+        }
+        run_laplacian(plain, rows, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(to[i], i == 20 ? -28 : i == 19 || i == 21 ? 7 : 0);
+        }
+    }
+}
+
+/* Pairs and triples that cross or do not, along the row and down. */
+static void truth_of_crossings(void **state)
+{
+    (void)state;
+    static const struct {
+        int16_t before, here, after;
+        int from; /* thresholds up to this: a crossing at here; -1: none */
+    } kinds[] = {{-50, 50, 60, -1},     {-51, 50, 60, 100},        {60, 50, -50, 99}, {60, 50, -49, -1},
+                 {-30, 0, 30, 59},      {30, 0, 30, -1},           {-30, 0, 0, -1},   {0, 20, 0, -1},
+                 {-32767, 0, 2, 32767}, {32767, -32766, 1, 32767}, {0, -20, 30, 49},  {-20, -20, 20, 39}};
+    enum { KINDS = sizeof kinds / sizeof kinds[0], M = 3 * 19 };
+    BOTH_BODIES(plain)
+    {
+        int16_t values[3][M + 2];
+        uint32_t mask[2];
+        uint8_t *rows[] = {(uint8_t *)mask, (uint8_t *)(values[0] + 1), (uint8_t *)(values[1] + 1),
+                           (uint8_t *)(values[2] + 1)};
+        for (int shift = 0; shift < 2 * KINDS; shift++) {
+            memset(values, 0, sizeof values);
+            for (int i = 1; i < M; i += 3) {
+                int k = (i / 3 + shift) % KINDS, down = shift >= KINDS;
+                values[1][i + 1] = kinds[k].here;
+                values[down ? 0 : 1][down ? i + 1 : i] = kinds[k].before;
+                values[down ? 2 : 1][down ? i + 1 : i + 2] = kinds[k].after;
+            }
+            static const int32_t thresholds[] = {0, 38, 39, 49, 50, 58, 59, 98, 99, 100, 101, 32767};
+            for (size_t t = 0; t < sizeof thresholds / sizeof thresholds[0]; t++) {
+                low = thresholds[t];
+                run_crossings(plain, rows, M);
+                for (int i = 1; i < M; i += 3) {
+                    int k = (i / 3 + shift) % KINDS;
+                    assert_int_equal(bit(mask, i), low <= kinds[k].from);
+                }
             }
         }
     }
@@ -244,8 +330,9 @@ static void truth_of_unlike(void **state)
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_gradient), cmocka_unit_test(truth_of_gain),
-        cmocka_unit_test(truth_of_above),    cmocka_unit_test(truth_of_ridges),
+        cmocka_unit_test(truth_of_gradient),  cmocka_unit_test(truth_of_gain),
+        cmocka_unit_test(truth_of_laplacian), cmocka_unit_test(truth_of_crossings),
+        cmocka_unit_test(truth_of_above),     cmocka_unit_test(truth_of_ridges),
         cmocka_unit_test(truth_of_unlike),
     };
     return cmocka_run_group_tests_name("kernels of edges", tests, NULL, NULL);

@@ -55,13 +55,13 @@ typedef struct {
 
 void iris_edge_defaults(iris_edge_config *config);
 
-/* Working memory of every call here: the rows around a row, and four rows of differences. And of LOG: rows of the blur,
- * and four rows each of the smoothed picture and its Laplacian. */
+/* Working memory of every call here: the rows around a row, and five rows of differences. And of LOG: rows of the blur,
+ * four rows of the smoothed picture, and five of its Laplacian. */
 #define IRIS_EDGE_SCRATCH_BYTES(w)                                                                           \
-    (IRIS_BORDER_ROWS_BYTES(w, 1, 1, 1) + 4u * IRIS_SCRATCH_ROUND(2u * ((size_t)(w) + 2u)))
+    (IRIS_BORDER_ROWS_BYTES(w, 1, 1, 1) + 5u * IRIS_SCRATCH_ROUND(2u * ((size_t)(w) + 2u)))
 
 #define IRIS_EDGE_LOG_SCRATCH_BYTES(w, sigma_q16)                                                            \
-    (IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(w, 1, sigma_q16) + 8u * IRIS_SCRATCH_ROUND(2u * ((size_t)(w) + 2u)))
+    (IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(w, 1, sigma_q16) + 9u * IRIS_SCRATCH_ROUND(2u * ((size_t)(w) + 2u)))
 
 /* dx and dy, IRIS_GRAY_S16, of src. Either may be null when it is not wanted; of LAPLACIAN and LOG dy must be null, and
  * dx is the second derivative. dx, dy, and src are disjoint. */

@@ -51,6 +51,27 @@ void iris_row_gradient_u8_neon(const iris_row_gradient *to, const uint8_t *const
     }
 }
 
+static inline int16x8_t laplacian_8(const uint8_t *const rows[3], int32_t i)
+{
+    uint16x8_t upright = vaddl_u8(vld1_u8(rows[0] + i), vld1_u8(rows[2] + i));
+    uint16x8_t level = vaddl_u8(vld1_u8(rows[1] + i - 1), vld1_u8(rows[1] + i + 1));
+    uint16x8_t four = vshll_n_u8(vld1_u8(rows[1] + i), 2);
+    return vreinterpretq_s16_u16(vsubq_u16(vaddq_u16(upright, level), four));
+}
+
+/* The last eight pixels may be some that were done before. */
+void iris_row_laplacian_u8_neon(int16_t *dst, const uint8_t *const rows[3], int32_t n)
+{
+    if (n < 8) {
+        iris_row_laplacian_u8_c(dst, rows, n);
+        return;
+    }
+    for (int32_t i = 0; i + 8 <= n; i += 8) {
+        vst1q_s16(dst + i, laplacian_8(rows, i));
+    }
+    vst1q_s16(dst + n - 8, laplacian_8(rows, n - 8));
+}
+
 typedef struct {
     uint16x8_t white, whole;
     uint16x4_t part;
@@ -59,7 +80,7 @@ typedef struct {
 /* Eight sizes times the gain, rounded, at most 255. */
 static inline uint8x8_t gain_8(const int16_t *size, const gains *by)
 {
-    uint16x8_t sizes = vminq_u16(vreinterpretq_u16_s16(vld1q_s16(size)), by->white);
+    uint16x8_t sizes = vminq_u16(vreinterpretq_u16_s16(vabsq_s16(vld1q_s16(size))), by->white);
     uint16x4_t low = vrshrn_n_u32(vmull_u16(vget_low_u16(sizes), by->part), 16);
     uint16x4_t high = vrshrn_n_u32(vmull_u16(vget_high_u16(sizes), by->part), 16);
     return vqmovn_u16(vmlaq_u16(vcombine_u16(low, high), sizes, by->whole));
@@ -104,6 +125,59 @@ void iris_row_above_s16_neon(uint32_t *mask, const int16_t *src, int32_t limit, 
         int32_t count = n - start < 32 ? n - start : 32;
         iris_row_put_bits(&mask[start / 32], above_32(src + start + count - 32, limits) >> (-count & 31),
                           count);
+    }
+}
+
+/* All ones where one value is above 0 and the other below. */
+static inline uint16x8_t opposite(int16x8_t a, int16x8_t b)
+{
+    uint16x8_t differ = vcltq_s16(veorq_s16(a, b), vdupq_n_s16(0));
+    return vandq_u16(differ, vandq_u16(vtstq_s16(a, a), vtstq_s16(b, b)));
+}
+
+/* All ones where two sizes add up to more than the threshold. */
+static inline uint16x8_t exceeds(int16x8_t a, int16x8_t b, uint16x8_t threshold)
+{
+    return vcgtq_u16(vreinterpretq_u16_s16(vaddq_s16(a, b)), threshold);
+}
+
+/* All ones where here is the pixel of a crossing from before to after. */
+static inline uint16x8_t crossing_8(int16x8_t before, int16x8_t here, int16x8_t after, uint16x8_t threshold)
+{
+    int16x8_t size = vabsq_s16(here), size_before = vabsq_s16(before), size_after = vabsq_s16(after);
+    uint16x8_t from = vandq_u16(vandq_u16(opposite(before, here), vcgtq_s16(size_before, size)),
+                                exceeds(size_before, size, threshold));
+    uint16x8_t to = vandq_u16(vandq_u16(opposite(here, after), vcleq_s16(size, size_after)),
+                              exceeds(size, size_after, threshold));
+    uint16x8_t at_zero = vbicq_u16(opposite(before, after), vtstq_s16(here, here));
+    return vorrq_u16(vorrq_u16(from, to), vandq_u16(at_zero, exceeds(size_before, size_after, threshold)));
+}
+
+static inline uint8x8_t crossings_8(const int16_t *const rows[3], int32_t i, uint16x8_t threshold)
+{
+    int16x8_t here = vld1q_s16(rows[1] + i);
+    uint16x8_t level = crossing_8(vld1q_s16(rows[1] + i - 1), here, vld1q_s16(rows[1] + i + 1), threshold);
+    uint16x8_t upright = crossing_8(vld1q_s16(rows[0] + i), here, vld1q_s16(rows[2] + i), threshold);
+    return vmovn_u16(vorrq_u16(level, upright));
+}
+
+static inline uint8x16_t crossings_16(const int16_t *const rows[3], int32_t i, uint16x8_t threshold)
+{
+    return vcombine_u8(crossings_8(rows, i, threshold), crossings_8(rows, i + 8, threshold));
+}
+
+/* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */
+void iris_row_crossings_s16_neon(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n)
+{
+    if (n < 32) {
+        iris_row_crossings_s16_c(mask, rows, threshold, n);
+        return;
+    }
+    const uint16x8_t least = vdupq_n_u16((uint16_t)threshold);
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t count = n - start < 32 ? n - start : 32, from = start + count - 32;
+        uint32_t bits = word_of_32(crossings_16(rows, from, least), crossings_16(rows, from + 16, least));
+        iris_row_put_bits(&mask[start / 32], bits >> (-count & 31), count);
     }
 }
 

@@ -52,6 +52,26 @@ void iris_row_gradient_u8_sse(const iris_row_gradient *to, const uint8_t *const 
     }
 }
 
+static inline __m128i laplacian_8(const uint8_t *const rows[3], int32_t i)
+{
+    __m128i upright = _mm_add_epi16(wide8(rows[0] + i), wide8(rows[2] + i));
+    __m128i level = _mm_add_epi16(wide8(rows[1] + i - 1), wide8(rows[1] + i + 1));
+    return _mm_sub_epi16(_mm_add_epi16(upright, level), _mm_slli_epi16(wide8(rows[1] + i), 2));
+}
+
+/* The last eight pixels may be some that were done before. */
+void iris_row_laplacian_u8_sse(int16_t *dst, const uint8_t *const rows[3], int32_t n)
+{
+    if (n < 8) {
+        iris_row_laplacian_u8_c(dst, rows, n);
+        return;
+    }
+    for (int32_t i = 0; i + 8 <= n; i += 8) {
+        store16(dst + i, laplacian_8(rows, i));
+    }
+    store16(dst + n - 8, laplacian_8(rows, n - 8));
+}
+
 typedef struct {
     __m128i white, whole, part;
 } gains;
@@ -59,7 +79,7 @@ typedef struct {
 /* Eight sizes times the gain, rounded; above 255 and below 32768 where they are white. */
 static inline __m128i gain_8(const int16_t *size, const gains *by)
 {
-    __m128i sizes = _mm_min_epi16(load16(size), by->white);
+    __m128i sizes = _mm_min_epi16(_mm_abs_epi16(load16(size)), by->white);
     __m128i high = _mm_mulhi_epu16(sizes, by->part), low = _mm_mullo_epi16(sizes, by->part);
     return _mm_add_epi16(_mm_add_epi16(_mm_mullo_epi16(sizes, by->whole), high), _mm_srli_epi16(low, 15));
 }
@@ -103,6 +123,60 @@ void iris_row_above_s16_sse(uint32_t *mask, const int16_t *src, int32_t limit, i
     }
     if (rest > 0) {
         iris_row_put_bits(&mask[words], above_32(src + n - 32, limits) >> (32 - rest), rest);
+    }
+}
+
+/* All ones where two values add up to more than the threshold, as unsigned numbers. */
+static inline __m128i exceeds(__m128i a, __m128i b, __m128i threshold)
+{
+    __m128i within = _mm_cmpeq_epi16(_mm_subs_epu16(_mm_add_epi16(a, b), threshold), _mm_setzero_si128());
+    return _mm_xor_si128(within, _mm_set1_epi16(-1));
+}
+
+/* All ones where one value is above 0 and the other below. */
+static inline __m128i opposite(__m128i a, __m128i b)
+{
+    return _mm_cmplt_epi16(_mm_sign_epi16(a, b), _mm_setzero_si128());
+}
+
+/* All ones where here is the pixel of a crossing from before to after. */
+static inline __m128i crossing_8(__m128i before, __m128i here, __m128i after, __m128i threshold)
+{
+    __m128i size = _mm_abs_epi16(here), size_before = _mm_abs_epi16(before),
+            size_after = _mm_abs_epi16(after);
+    __m128i from = _mm_and_si128(_mm_and_si128(opposite(before, here), _mm_cmpgt_epi16(size_before, size)),
+                                 exceeds(size_before, size, threshold));
+    __m128i to = _mm_and_si128(_mm_andnot_si128(_mm_cmpgt_epi16(size, size_after), opposite(after, here)),
+                               exceeds(size, size_after, threshold));
+    __m128i at_zero = _mm_and_si128(_mm_cmpeq_epi16(here, _mm_setzero_si128()), opposite(before, after));
+    return _mm_or_si128(_mm_or_si128(from, to),
+                        _mm_and_si128(at_zero, exceeds(size_before, size_after, threshold)));
+}
+
+static inline __m128i crossings_8(const int16_t *const rows[3], int32_t i, __m128i threshold)
+{
+    __m128i here = load16(rows[1] + i);
+    return _mm_or_si128(crossing_8(load16(rows[1] + i - 1), here, load16(rows[1] + i + 1), threshold),
+                        crossing_8(load16(rows[0] + i), here, load16(rows[2] + i), threshold));
+}
+
+static inline __m128i crossings_16(const int16_t *const rows[3], int32_t i, __m128i threshold)
+{
+    return _mm_packs_epi16(crossings_8(rows, i, threshold), crossings_8(rows, i + 8, threshold));
+}
+
+/* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */
+void iris_row_crossings_s16_sse(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n)
+{
+    if (n < 32) {
+        iris_row_crossings_s16_c(mask, rows, threshold, n);
+        return;
+    }
+    const __m128i least = _mm_set1_epi16((int16_t)threshold);
+    for (int32_t start = 0; start < n; start += 32) {
+        int32_t count = n - start < 32 ? n - start : 32, from = start + count - 32;
+        uint32_t bits = high_bits(crossings_16(rows, from, least), crossings_16(rows, from + 16, least));
+        iris_row_put_bits(&mask[start / 32], bits >> (-count & 31), count);
     }
 }
 
