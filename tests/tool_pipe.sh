@@ -57,6 +57,7 @@ same "--roi within a pipe, pixels" part.ppm 50360a3220320a3235350affffffff00001d
 for wrong in "3,0,2,1" "0,0,5,1" "0,0,4,3" "2147483647,0,1,1" "0,0,2147483647,1" "0,0,0,1" "-1,0,1,1" "1,1,1" "x"; do
     refuses "--roi $wrong" 2 "^iris gray: .*--roi" gray --roi "$wrong" gray.pgm -o no.pgm
 done
+refuses "--roi without width" 2 "^iris gray: --roi: x,y,w,h in pixels, w and h at least 1, not '1,1,0,1'$" gray --roi 1,1,0,1 gray.pgm -o no.pgm
 refuses "--roi where the size changes" 2 "unknown option --roi" convert --roi 0,0,1,1 gray.pgm -o no.pgm
 
 # --- every operation takes --border and --roi, on any kind and size of picture ---

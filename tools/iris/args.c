@@ -147,7 +147,7 @@ int args_rect(iris_rect *rect, const char *option, const char *text)
 {
     int32_t n[4];
     if (!args_numbers(n, 4, ',', text) || n[0] < 0 || n[1] < 0 || n[2] < 1 || n[3] < 1) {
-        complain(option, "x,y,w,h in pixels, not '%s'", text);
+        complain(option, "x,y,w,h in pixels, w and h at least 1, not '%s'", text);
         return 0;
     }
     *rect = (iris_rect){n[0], n[1], n[2], n[3]};

@@ -93,7 +93,7 @@ static const iris_image *input_of(job *run)
 }
 
 /* Writes the result, and reports. Returns an exit code. */
-static int finish_one(const job *run, const iris_image *result)
+static int finish_one(const job *run, const iris_image *input, const iris_image *result)
 {
     const operation_chain *chain = run->chain;
     char path[PATH_MAX];
@@ -106,7 +106,7 @@ static int finish_one(const job *run, const iris_image *result)
         return EXIT_BAD_DATA;
     }
     if (chain->json) {
-        report(chain, run->file, output, output ? result : &run->input.image);
+        report(chain, run->file, output, output ? result : input);
     }
     return EXIT_DONE;
 }
@@ -114,16 +114,16 @@ static int finish_one(const job *run, const iris_image *result)
 /* Works on the input that was read, and writes. Returns an exit code. */
 static int convert_one(job *run)
 {
-    const iris_image *picture = input_of(run);
+    const iris_image *input = input_of(run), *picture = input;
     iris_image results[2];
-    int exit_code = picture ? EXIT_DONE : EXIT_BAD_DATA;
+    int exit_code = input ? EXIT_DONE : EXIT_BAD_DATA;
     for (int i = 0; i < run->chain->count && exit_code == EXIT_DONE; i++) {
         operation_stage *stage = &run->chain->stages[i];
         stage->file = run->file;
         exit_code = stage_apply(&results[i % 2], picture, stage);
         picture = &results[i % 2];
     }
-    return exit_code == EXIT_DONE ? finish_one(run, picture) : exit_code;
+    return exit_code == EXIT_DONE ? finish_one(run, input, picture) : exit_code;
 }
 
 /* The first picture of the file; from standard input to standard output every one, until the input ends. */

@@ -5,12 +5,13 @@
 #include "operation.h"
 
 static const char help[] =
-    "usage: iris distance [--metric l1|chamfer] [--roi x,y,w,h] [--json] IN... -o OUT\n\n"
+    "usage: iris distance [--metric l1|chamfer] [--roi x,y,w,h] [--json] IN... [-o OUT]\n\n"
     "How far from the nearest black pixel each white pixel of a mask is. The farthest becomes\n"
     "white, and half as far half as bright. Gray and color pictures count as white above 127.\n\n"
     "  --metric l1       steps to the side and up and down (the default)\n"
     "  --metric chamfer  diagonal steps, too: within 6 % of the true distance\n" OPERATION_OPTIONS "\n"
-    "JSON has the greatest distance, in pixels (null when the mask is all white: all is white then).\n\n"
+    "JSON has maximum, the greatest distance, in pixels (null when the mask is all white: all is white "
+    "then).\n\n"
     "example: iris distance --metric chamfer floor.bmp -o room.bmp\n";
 
 /* What apply leaves for report. */

@@ -19,7 +19,7 @@ static const char help[] =
     "                    canny: masks of thin lines\n"
     "                    automaton: masks by a cellular automaton, at the least cost\n"
     "  --sigma S         smooths first, by a Gaussian of S pixels, 0.1 to 40; 0 does not.\n"
-    "                    Default 1.4 for canny and log, else 0\n"
+    "                    Default 1.4 for canny and log, also behind a blur in a pipe, else 0\n"
     "  --low L           0 to 32767. sobel to roberts: a mask of what is above L. laplacian\n"
     "                    and log: the least difference across a crossing, in 32nds of a\n"
     "                    level for log; default 80, 160. canny: of edges that continue\n"

@@ -95,11 +95,11 @@ static int read_slopes(iris_tone_segments *segments, const char *text)
     return 1;
 }
 
-/* Reads a level from `least` on. Complains and returns 0 when it is none. */
-static int read_level(int32_t *level, int32_t least, const char *option, const char *text)
+/* Reads a level. Complains and returns 0 when it is none. */
+static int read_level(int32_t *level, const char *option, const char *text)
 {
-    if (text && (!args_numbers(level, 1, ',', text) || *level < least || *level > 255)) {
-        complain(option, "a level from %d to 255, not '%s'", (int)least, text);
+    if (text && (!args_numbers(level, 1, ',', text) || *level < 0 || *level > 255)) {
+        complain(option, "a level from 0 to 255, not '%s'", text);
         return 0;
     }
     return 1;
@@ -130,14 +130,11 @@ static int parse(void *settings, operation_words *words)
         }
         by->share = (iris_q16)(((int64_t)value + 50) / 100);
     }
-    if (!read_level(&by->segments.a, 0, "--low", low)) {
+    if (!read_level(&by->segments.a, "--low", low) || !read_level(&by->segments.b, "--high", high)) {
         return 0;
     }
-    if (!high && by->segments.a > by->segments.b) {
-        complain("--low", "above 170 it needs a --high at least as large");
-        return 0;
-    }
-    if (!read_level(&by->segments.b, by->segments.a, "--high", high)) {
+    if (by->segments.a > by->segments.b) {
+        complain("--low", "at most --high, but they are %d and %d", (int)by->segments.a, (int)by->segments.b);
         return 0;
     }
     if (slopes && !read_slopes(&by->segments, slopes)) {
