@@ -25,9 +25,8 @@ extern "C" {
 #define IRIS_AUTOMATON_GENERATIONS_MAX 16
 
 typedef struct {
-    uint8_t threshold; /* levels; default 30 */
-    int32_t
-        generations; /* 0 to IRIS_AUTOMATON_GENERATIONS_MAX; default 1. Each takes a pixel off the ends of thin lines */
+    uint8_t threshold;   /* levels; default 30 */
+    int32_t generations; /* 0 to 16; default 1. Each takes a pixel off the ends of thin lines */
 } iris_automaton_config;
 
 void iris_automaton_defaults(iris_automaton_config *config);

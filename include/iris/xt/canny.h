@@ -25,9 +25,8 @@ extern "C" {
 #define IRIS_CANNY_THRESHOLD_END 32768
 
 typedef struct {
-    iris_q16
-        sigma_q16; /* of the Gaussian, in pixels: IRIS_BLUR_SIGMA_MIN to IRIS_BLUR_SIGMA_MAX, or 0: none; default 1.4 */
-    int32_t low, high; /* of the gradient, 0 up to below 32768, low <= high; default 40 and 100 */
+    iris_q16 sigma_q16; /* of the Gaussian, in pixels, as in blur.h, or 0: none; default 1.4 */
+    int32_t low, high;  /* of the gradient, 0 up to below 32768, low <= high; default 40 and 100 */
 } iris_canny_config;
 
 void iris_canny_defaults(iris_canny_config *config);

@@ -5,7 +5,7 @@
  *
  *     SOBEL      dx = a + 2 b + c of the columns right minus left, dy of the rows below minus above; -1020..1020
  *     PREWITT    the same with 1 1 1; -765..765
- *     ISOTROPIC  the same with 1 r 1, r = 181/128, which is the square root of 2 to 1e-4 (Frei and Chen 1977): each of
+ *     ISOTROPIC  the same with 1 r 1, r = 181/128, the square root of 2 to 1.1e-4 (Frei and Chen 1977): each of
  *                dx and dy is the sum of its three differences, and 53/128 of the middle one, rounded; -871..871
  *     ROBERTS    the two diagonals of the 2x2 pixels that p is the upper left one of: dx = lower right - p,
  *                dy = lower left - right neighbor; -255..255. Its axes are turned: dx points 45 degrees down.

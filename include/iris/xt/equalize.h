@@ -28,10 +28,10 @@ iris_status iris_equalize(const iris_image *dst, const iris_image *src, iris_scr
 #define IRIS_EQUALIZE_TILES_MAX 64
 
 typedef struct {
-    int32_t
-        tiles; /* in each direction: 1 to IRIS_EQUALIZE_TILES_MAX, and at most the picture's shorter side */
-    iris_q16
-        limit_q16; /* how many times its even share of the pixels a level may have; at most 256 times, 0: any */
+    /* In each direction: 1 to IRIS_EQUALIZE_TILES_MAX, and at most the picture's shorter side. */
+    int32_t tiles;
+    /* How many times its even share of the pixels a level may have; at most 256 times, 0: any. */
+    iris_q16 limit_q16;
 } iris_equalize_local_config;
 
 /* 8 tiles in each direction, limit 3. */
