@@ -9,7 +9,9 @@ typedef enum { DILATE, ERODE, OPEN, CLOSE, GRADIENT, TOPHAT, BLACKHAT } morph_ki
 
 void iris_morph_element_defaults(iris_morph_element *element)
 {
-    *element = (iris_morph_element){3, 3, IRIS_MORPH_SQUARE, 0};
+    if (element) {
+        *element = (iris_morph_element){3, 3, IRIS_MORPH_SQUARE, 0};
+    }
 }
 
 static iris_status check_element(const iris_morph_element *element)

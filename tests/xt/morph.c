@@ -400,6 +400,7 @@ static void gray_by_hand(void **state)
     uint8_t pixels[9] = {10, 20, 30, 40, 50, 60, 70, 80, 90}, out[9];
     iris_image from, to;
     iris_morph_element element;
+    iris_morph_element_defaults(NULL);
     iris_morph_element_defaults(&element);
     assert_int_equal(element.w * 10 + element.h, 33);
     assert_int_equal(element.shape, IRIS_MORPH_SQUARE);

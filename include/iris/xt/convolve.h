@@ -66,7 +66,8 @@ iris_status iris_correlate(const iris_image *dst, const iris_image *src, const i
  * Each sets all of *kernel, with bias 0 and absolute 0, and writes its weights to `values`, which must stay as long
  * as the kernel is used; how many there are is said with each. Matrices are written for iris_correlate: a difference
  * is positive where the picture gets brighter to the right or downwards (iris_convolve turns its sign). All return
- * IRIS_ERR_ARG for a null pointer or an unknown direction, and IRIS_ERR_RANGE for a size, sigma, or amount outside. */
+ * IRIS_ERR_ARG for a null pointer or an unknown direction, and IRIS_ERR_RANGE for a size, sigma, or amount outside, and
+ * write nothing then. O(values). */
 
 typedef enum {
     IRIS_KERNEL_X = 0, /* the difference to the right */

@@ -16,7 +16,8 @@ extern "C" {
 #define IRIS_HITMISS_SIDE_MAX 8
 
 /* Bit x of byte y is pixel (x, y) of the pattern. In set: the pixel must be set; in clear: it must be clear; in neither:
- * no matter; in both: the pattern occurs nowhere. Bits past w and rows past h do not matter. Pixel ((w - 1) / 2, (h - 1) / 2) lies on the pixel that is asked about. */
+ * no matter; in both: the pattern occurs nowhere. Bits past w and rows past h do not matter. Pixel
+ * ((w - 1) / 2, (h - 1) / 2), rounded down, lies on the pixel that is asked about. */
 typedef struct {
     int32_t w, h; /* pixels, 1 to IRIS_HITMISS_SIDE_MAX */
     uint8_t set[IRIS_HITMISS_SIDE_MAX], clear[IRIS_HITMISS_SIDE_MAX];

@@ -5,9 +5,9 @@
  * selected pixels belong together when they touch by a side or a corner, pixels that are not selected when they
  * touch by a side.
  *
- * All return IRIS_ERR_ARG for a null pointer (or what their comments say), the errors of iris_image_check for a view that
- * is not valid, IRIS_ERR_FORMAT for other formats, IRIS_ERR_RANGE when the sizes differ, IRIS_ERR_ALIAS, and
- * IRIS_ERR_SCRATCH. Report, section 2.2.
+ * All return IRIS_ERR_ARG for a null pointer, the errors of iris_image_check for a view that is not valid,
+ * IRIS_ERR_FORMAT for other formats, IRIS_ERR_RANGE when the sizes differ, IRIS_ERR_ALIAS, and IRIS_ERR_SCRATCH, besides
+ * what their comments say. Report, section 2.2.
  */
 #ifndef IRIS_XT_SKELETON_H
 #define IRIS_XT_SKELETON_H
@@ -39,15 +39,16 @@ typedef enum {
                        12u * ((size_t)(w) / 64u + 3u) + 7u)
 
 /* Thins src into dst. *passes: how many were made, the last of which removed nothing; null when not wanted.
- * IRIS_ERR_ARG: unknown method. O(pixels) and, in every pass, O(64 pixels around every pixel that changed in the last
- * one), and one byte for 64 pixels. The passes are about half as many as the thickest part has pixels across. */
+ * IRIS_ERR_ARG: unknown method. O(pixels); then every pass looks at one byte for 64 pixels, and at the 64 pixels that
+ * lie around each one that the last pass has changed. The passes are about half as many as the thickest part has pixels across. */
 iris_status iris_skeleton(int32_t *passes, const iris_image *dst, const iris_image *src,
                           iris_skeleton_method method, iris_scratch *scratch);
 
 /* Thins src into dst by IRIS_SKELETON_EXACT and takes the short branches away. A branch is a row of pixels from an end up
  * to, but without, the branch point that it comes from (iris_skeleton_branches); those of fewer than `length` pixels go,
  * all at once. What they leave is thinned again, and short branches that this has made go too, until there are none. A
- * line without a branch point is no branch and stays as it is, however short; no connected part vanishes. dst has as many connected parts and as many holes as src.
+ * line without a branch point is no branch and stays as it is, however short. dst has as many connected parts and as many
+ * holes as src.
  *
  * IRIS_ERR_RANGE: length below 0. O(iris_skeleton), and O(ends * length) for each round. */
 iris_status iris_skeleton_prune(const iris_image *dst, const iris_image *src, int32_t length,
