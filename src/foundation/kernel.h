@@ -127,6 +127,13 @@ void iris_row_slide_u16_c(uint16_t *sums, const uint8_t *enter, const uint8_t *l
 #define iris_row_slide_u16 iris_row_slide_u16_c
 #endif
 
+/* dst[i] = (columns[i] + columns[i + step] + ... + columns[i + (side - 1) * step]) / side^2, rounded half up. side: 1 to
+ * 255; step: 1 or 3. columns holds n + (side - 1) * step sums, each of at most 255 * side. */
+void iris_row_box_mean_u8_c(uint8_t *dst, const uint16_t *columns, int32_t side, int32_t step, int32_t n);
+#ifndef iris_row_box_mean_u8
+#define iris_row_box_mean_u8 iris_row_box_mean_u8_c
+#endif
+
 /* bit i = src[i] > mean - c, where mean = (sums[i] + ... + sums[i + side - 1]) / side^2, exactly. sums holds
  * n + side - 1 columns, each of at most 255 * side. */
 void iris_row_above_mean_u8_c(uint32_t *mask, const uint8_t *src, const uint32_t *sums,

@@ -61,6 +61,13 @@ static void continue_row(uint8_t *row, const iris_rows *rows)
         continue_mask((uint32_t *)(void *)row, rows);
         return;
     }
+    if (rows->channels == 1 && rows->border.rule != IRIS_BORDER_REFLECT101) {
+        int constant = rows->border.rule == IRIS_BORDER_CONSTANT;
+        uint8_t *end = row + rows->src->w;
+        memset(row - rows->window.left, constant ? rows->border.value : row[0], (size_t)rows->window.left);
+        memset(end, constant ? rows->border.value : end[-1], (size_t)rows->window.right);
+        return;
+    }
     for (int32_t x = -rows->window.left; x < 0; x++) {
         continue_at(row, rows, x);
     }

@@ -4,49 +4,6 @@
 #include "../foundation/rows.h"
 #include "../foundation/views.h"
 
-/* Division by area: n / area is n * factor >> shift for every n below 2^24. With factor = floor(2^shift / area) + 1 the
- * excess of factor * area over 2^shift is at most area, which is at most 2^(shift - 24), and an excess that small never
- * carries n / area over the next integer (Granlund and Montgomery, 1994). */
-typedef struct {
-    uint32_t factor;
-    int shift;
-    uint32_t half; /* area / 2, added before: rounding half up */
-} mean_of;
-
-static mean_of mean_over(int32_t side)
-{
-    uint32_t area = (uint32_t)side * (uint32_t)side;
-    mean_of mean = {0, 24, area / 2};
-    while ((uint32_t)1 << (mean.shift - 24) < area) {
-        mean.shift++;
-    }
-    mean.factor = (uint32_t)(((uint64_t)1 << mean.shift) / area + 1);
-    return mean;
-}
-
-/* At most 255 * 255^2 + 255^2 / 2 < 2^24 before the multiplication. */
-static inline uint8_t mean_value(mean_of mean, uint32_t sum)
-{
-    return (uint8_t)((uint64_t)(sum + mean.half) * mean.factor >> mean.shift);
-}
-
-/* n samples from the sums of columns; the window of sample 0 begins at columns[0]. */
-static void means(uint8_t *dst, const uint16_t *columns, int32_t n, int32_t channels, int32_t side)
-{
-    mean_of mean = mean_over(side);
-    for (int32_t c = 0; c < channels; c++) {
-        uint32_t sum = 0;
-        for (int32_t i = c; i < (side - 1) * channels; i += channels) {
-            sum += columns[i];
-        }
-        for (int32_t i = c; i < n; i += channels) {
-            sum += columns[i + (side - 1) * channels];
-            dst[i] = mean_value(mean, sum);
-            sum -= columns[i];
-        }
-    }
-}
-
 /* The sums of a window above row 0: it moves down when that row is made. */
 static void start(uint16_t *columns, const iris_rows *rows, iris_rows_window window, int32_t n)
 {
@@ -91,9 +48,9 @@ iris_status iris_blur_box(const iris_image *dst, const iris_image *src, int32_t 
         iris_row_slide_u16(columns, iris_rows_at(&rows, window.below) - before,
                            iris_rows_at(&rows, -window.above - 1) - before, n);
         if (iris_rows_span(&first, &end, &rows)) {
-            means((uint8_t *)iris_image_row(dst, rows.y) + first * channels,
-                  columns + (first - window.left) * channels + before, (end - first) * channels, channels,
-                  side);
+            iris_row_box_mean_u8((uint8_t *)iris_image_row(dst, rows.y) + first * channels,
+                                 columns + (first - window.left) * channels + before, side, channels,
+                                 (end - first) * channels);
         }
     }
     iris_scratch_release(scratch, mark);
