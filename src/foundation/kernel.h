@@ -207,6 +207,28 @@ void iris_row_join3_mask_c(uint32_t *dst, const uint32_t *src, const int32_t at[
 #define iris_row_join3_mask iris_row_join3_mask_c
 #endif
 
+/* The pixels of three rows of a mask joined; `all` as above. dst may be one of them. */
+void iris_row_join_rows_mask_c(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
+                               uint32_t all, int32_t words);
+#ifndef iris_row_join_rows_mask
+#define iris_row_join_rows_mask iris_row_join_rows_mask_c
+#endif
+
+/* The 3x3 pixels around of three rows joined; `all` as above. beside: words that stand for what is joined to the left and
+ * right of the rows. dst is none of them. */
+void iris_row_join9_mask_c(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2],
+                           uint32_t all, int32_t words);
+#ifndef iris_row_join9_mask
+#define iris_row_join9_mask iris_row_join9_mask_c
+#endif
+
+/* Pixel x of dst stays set where pixel x + at of src is set, or with turn = ~0 where it is clear. `words` whole words;
+ * reads the word with pixel `at` and `words` more behind it. dst is not src. */
+void iris_row_agree_mask_c(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words);
+#ifndef iris_row_agree_mask
+#define iris_row_agree_mask iris_row_agree_mask_c
+#endif
+
 /* dst = 65535 where the bit is set, else 0. */
 void iris_row_select_u16_c(uint16_t *dst, const uint32_t *mask, int32_t n);
 #ifndef iris_row_select_u16

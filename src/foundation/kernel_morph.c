@@ -80,3 +80,40 @@ void iris_row_join3_mask_c(uint32_t *dst, const uint32_t *src, const int32_t at[
         dst[i] = joined ^ all;
     }
 }
+
+static inline uint32_t join3(uint32_t a, uint32_t b, uint32_t c, uint32_t all)
+{
+    return all ? a & b & c : a | b | c;
+}
+
+void iris_row_join_rows_mask_c(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
+                               uint32_t all, int32_t words)
+{
+    for (int32_t i = 0; all && i < words; i++) {
+        dst[i] = a[i] & b[i] & c[i];
+    }
+    for (int32_t i = 0; !all && i < words; i++) {
+        dst[i] = a[i] | b[i] | c[i];
+    }
+}
+
+void iris_row_join9_mask_c(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2],
+                           uint32_t all, int32_t words)
+{
+    const uint32_t *a = rows[0], *b = rows[1], *c = rows[2];
+    uint32_t left = beside[0], here = words > 0 ? join3(a[0], b[0], c[0], all) : 0;
+    for (int32_t i = 0; i < words; i++) {
+        uint32_t right = i + 1 < words ? join3(a[i + 1], b[i + 1], c[i + 1], all) : beside[1];
+        dst[i] = join3(left >> 31 | here << 1, here, here >> 1 | right << 31, all);
+        left = here;
+        here = right;
+    }
+}
+
+void iris_row_agree_mask_c(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words)
+{
+    const uint32_t *from = src + (at >> 5);
+    for (int32_t i = 0; i < words; i++) {
+        dst[i] &= pixels_of(from + i, at & 31) ^ turn;
+    }
+}

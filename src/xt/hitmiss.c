@@ -1,5 +1,8 @@
 #include "iris/xt/hitmiss.h"
 
+#include <string.h>
+
+#include "../foundation/kernel.h"
 #include "../foundation/rows.h"
 #include "../foundation/views.h"
 #include "mask_bits.h"
@@ -49,31 +52,36 @@ static iris_status check(const iris_image *dst, const iris_image *src, const iri
     return status == IRIS_OK && !fits ? IRIS_ERR_RANGE : status;
 }
 
-/* The pixels of 32 whose surroundings agree with row dy of the pattern. around: pixel -32 is in word 0. */
-static uint32_t agreeing(const uint32_t around[3], uint32_t set, uint32_t clear, int32_t anchor)
+/* Of the pixels set in some words those stay whose neighbor `at` farther on in row is set, or with turn = ~0 clear; no word
+ * of row behind `last` is looked at. */
+static void keep_agreeing(uint32_t *to, int32_t words, const uint32_t *row, int32_t at, uint32_t turn,
+                          int32_t last)
 {
-    uint32_t hits = ~0u;
-    for (int32_t x = 0; (set | clear) >> x != 0; x++) {
-        uint32_t pixels = iris_mask_pixels(around, 32 + x - anchor);
-        hits &= set >> x & 1 ? pixels : ~0u;
-        hits &= clear >> x & 1 ? ~pixels : ~0u;
+    int32_t end = 32 * (words - 1) + at, whole = end >> 5 < last ? words : words - 1;
+    iris_row_agree_mask(to, row, at, turn, whole);
+    if (whole < words) {
+        to[whole] &= row[end >> 5] >> (end & 31) ^ turn;
     }
-    return hits;
 }
 
-/* Word i of the row that `rows` is at. */
-static uint32_t find_word(const iris_rows *rows, const iris_hitmiss_pattern *pattern, int32_t i)
+/* The pixels where the pattern occurs in the row that `rows` is at, of its first words. */
+static void find_in_row(uint32_t *to, int32_t words, const iris_rows *rows,
+                        const iris_hitmiss_pattern *pattern)
 {
     const iris_rows_window *window = &rows->window;
     int32_t last = (rows->src->w + window->right - 1) / 32;
-    uint32_t hits = ~0u;
-    for (int32_t y = 0; y < pattern->h && hits != 0; y++) {
+    memset(to, 255, 4 * (size_t)words);
+    for (int32_t y = 0; y < pattern->h; y++) {
         const uint32_t *row = (const uint32_t *)(const void *)iris_rows_at(rows, y - window->above);
-        uint32_t around[3] = {window->left > 0 ? row[i - 1] : 0, row[i], i < last ? row[i + 1] : 0};
-        uint32_t inside = ((uint32_t)1 << pattern->w) - 1;
-        hits &= agreeing(around, pattern->set[y] & inside, pattern->clear[y] & inside, window->left);
+        for (int32_t x = 0; x < pattern->w; x++) {
+            if (pattern->set[y] >> x & 1) {
+                keep_agreeing(to, words, row, x - window->left, 0, last);
+            }
+            if (pattern->clear[y] >> x & 1) {
+                keep_agreeing(to, words, row, x - window->left, ~0u, last);
+            }
+        }
     }
-    return hits;
 }
 
 iris_status iris_hitmiss_find(const iris_image *dst, const iris_image *src,
@@ -96,10 +104,12 @@ iris_status iris_hitmiss_find(const iris_image *dst, const iris_image *src,
         if (!iris_rows_span(&first, &end, &rows)) {
             continue;
         }
-        for (int32_t i = first / 32; 32 * i < end; i++) {
-            uint32_t pixels = iris_mask_range(i, first, end);
-            row[i] = (row[i] & ~pixels) | (find_word(&rows, pattern, i) & pixels);
-        }
+        int32_t last = (end - 1) / 32; /* first is in word 0 */
+        uint32_t before = row[0], after = row[last];
+        uint32_t first_bits = iris_mask_range(0, first, end), last_bits = iris_mask_range(last, first, end);
+        find_in_row(row, last + 1, &rows, pattern);
+        row[0] = (row[0] & first_bits) | (before & ~first_bits);
+        row[last] = (row[last] & last_bits) | (after & ~last_bits);
     }
     iris_scratch_release(scratch, mark);
     return status;

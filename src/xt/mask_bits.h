@@ -12,6 +12,12 @@ static inline uint32_t iris_mask_pixels(const uint32_t *row, int32_t at)
     return word[0] >> shift | word[1] << 1 << (31 - shift);
 }
 
+/* The same, but no word behind `last` is looked at. */
+static inline uint32_t iris_mask_pixels_to(const uint32_t *row, int32_t at, int32_t last)
+{
+    return (at >> 5) < last ? iris_mask_pixels(row, at) : row[at >> 5] >> (at & 31);
+}
+
 /* The bits of a row's word that are pixels from first up to below end. */
 static inline uint32_t iris_mask_range(int32_t word, int32_t first, int32_t end)
 {

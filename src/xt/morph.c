@@ -163,23 +163,15 @@ static iris_status make_picture(const iris_image *dst, const iris_image *src,
     return IRIS_OK;
 }
 
-static int is_square3(const iris_image *dst, const iris_image *src, const iris_morph_element *element,
-                      morph_kind kind)
-{
-    return (kind == DILATE || kind == ERODE) && element->w == 3 && element->h == 3 &&
-           element->shape == IRIS_MORPH_SQUARE && !element->exclude_center && src->format != IRIS_MASK1 &&
-           dst->data != src->data;
-}
-
-static iris_status make_square3(const iris_image *dst, const iris_image *src, iris_border border,
-                                iris_scratch *scratch, morph_kind kind)
+static iris_status make_near(const iris_image *dst, const iris_image *src, const iris_morph_near *near,
+                             iris_border border, iris_scratch *scratch)
 {
     uint8_t *level =
         (uint8_t *)iris_scratch_take(scratch, IRIS_MORPH_SCRATCH_BYTES(src->format, src->w, 3, 3));
     if (!level) {
         return IRIS_ERR_SCRATCH;
     }
-    iris_morph_square3(dst, src, kind == ERODE, border, level);
+    iris_morph_near_picture(dst, src, near, border, level);
     return IRIS_OK;
 }
 
@@ -202,8 +194,12 @@ static iris_status apply(const iris_image *dst, const iris_image *src, const iri
         return status;
     }
     size_t mark = iris_scratch_mark(scratch);
-    status = is_square3(dst, src, &element, kind) ? make_square3(dst, src, border, scratch, kind)
-                                                  : make_picture(dst, src, &element, border, scratch, kind);
+    if ((kind == DILATE || kind == ERODE) && dst->data != src->data && iris_morph_is_near(&element)) {
+        iris_morph_near near = iris_morph_near_of(src, &element, kind == ERODE, border);
+        status = make_near(dst, src, &near, border, scratch);
+    } else {
+        status = make_picture(dst, src, &element, border, scratch, kind);
+    }
     iris_scratch_release(scratch, mark);
     return status;
 }

@@ -13,9 +13,7 @@ static uint32_t join_last(const uint32_t *row, const int32_t at[3], int32_t n, u
     uint32_t joined = 0;
     int32_t word = words_of(n) - 1;
     for (int k = 0; k < 3; k++) {
-        int32_t first = (32 * word + at[k]) >> 5, last = (n - 1 + at[k]) >> 5, shift = at[k] & 31;
-        uint32_t pixels = first == last ? row[first] >> shift : iris_mask_pixels(row, 32 * word + at[k]);
-        joined |= pixels ^ all;
+        joined |= iris_mask_pixels_to(row, 32 * word + at[k], (n - 1 + at[k]) >> 5) ^ all;
     }
     return joined ^ all;
 }

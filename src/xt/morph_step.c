@@ -4,24 +4,19 @@
 
 #include "../foundation/kernel.h"
 
+static const uint32_t *words_of(const uint8_t *row)
+{
+    return (const uint32_t *)(const void *)row;
+}
+
 static void join_any(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
 {
-    uint32_t *to = (uint32_t *)(void *)dst;
-    const uint32_t *p = (const uint32_t *)(const void *)a, *q = (const uint32_t *)(const void *)b;
-    const uint32_t *r = (const uint32_t *)(const void *)c;
-    for (int32_t i = 0; i < n / 4; i++) {
-        to[i] = p[i] | q[i] | r[i];
-    }
+    iris_row_join_rows_mask((uint32_t *)(void *)dst, words_of(a), words_of(b), words_of(c), 0, n / 4);
 }
 
 static void join_all(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
 {
-    uint32_t *to = (uint32_t *)(void *)dst;
-    const uint32_t *p = (const uint32_t *)(const void *)a, *q = (const uint32_t *)(const void *)b;
-    const uint32_t *r = (const uint32_t *)(const void *)c;
-    for (int32_t i = 0; i < n / 4; i++) {
-        to[i] = p[i] & q[i] & r[i];
-    }
+    iris_row_join_rows_mask((uint32_t *)(void *)dst, words_of(a), words_of(b), words_of(c), ~0u, n / 4);
 }
 
 /* Samples from..last around each sample, in pixels, are joined. Returns `to`, or the row itself where one pixel alone is
@@ -123,11 +118,13 @@ iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source 
     step->above = erodes ? (element->h - 1) / 2 : high;
     step->below = erodes ? high : (element->h - 1) / 2;
     step->join = mask ? (erodes ? join_all : join_any) : erodes ? iris_row_min3_u8 : iris_row_max3_u8;
+    step->is_near = iris_morph_is_near(element);
+    step->near = iris_morph_near_of(source->shape, element, erodes, border);
     step->row_bytes = (int32_t)row_bytes;
     step->line_bytes = (int32_t)line_bytes;
     step->lines = 0;
     divide_rings(step, rings);
-    for (int32_t y = -step->above; y < step->below; y++) {
+    for (int32_t y = -step->above; y < step->below && !step->is_near; y++) {
         add_line(step, iris_rows_at(&step->rows, y));
     }
     return IRIS_OK;
@@ -163,6 +160,14 @@ static int add_center(const uint8_t **parts, int count, iris_morph_step *step)
 
 void iris_morph_step_row(iris_morph_step *step, uint8_t *to, int32_t from, int32_t n)
 {
+    if (step->is_near) { /* of a mask from word 0 on */
+        const uint8_t *rows[3];
+        for (int k = 0; k < 3; k++) {
+            rows[k] = iris_rows_at(&step->rows, k - 1) + from;
+        }
+        iris_morph_near_row(to, rows, &step->near, n);
+        return;
+    }
     const uint8_t *row = iris_rows_at(&step->rows, 0);
     const uint8_t *parts[8]; /* one to three runs above, as many below, and the center */
     parts[0] = row;

@@ -10,6 +10,7 @@
 
 #include "../foundation/rows.h"
 #include "iris/xt/morph.h"
+#include "morph_near.h"
 
 /* Longest run: 3^5 = 243 <= (IRIS_MORPH_SIDE_MAX - 1) / 2 < 3^6. */
 #define IRIS_MORPH_LEVELS 6
@@ -25,6 +26,8 @@ typedef struct {
     /* The largest or smallest (any or all) of three rows of n bytes, of masks whole words. dst may be one of them; those that
      * are not dst may also overlap it from behind. */
     void (*join)(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
+    int is_near; /* joined at once, without lines */
+    iris_morph_near near;
     int32_t row_bytes;  /* of a row without what is beyond its edges */
     int32_t line_bytes; /* of a line in its ring */
     int32_t longest;    /* 3^top */
@@ -47,11 +50,6 @@ iris_status iris_morph_step_begin(iris_morph_step *step, const iris_rows_source 
 /* Bytes from..from + n - 1 of the result's row rows.y; of a mask whole words. Once for each row, from 0 on, with
  * iris_rows_next(&step->rows) in between. to may be of the source's image. */
 void iris_morph_step_row(iris_morph_step *step, uint8_t *to, int32_t from, int32_t n);
-
-/* All of a dilation or erosion of samples by a 3x3 square where dst is not src, so that no row needs to be kept. level: room for
- * a row. O(pixels). */
-void iris_morph_square3(const iris_image *dst, const iris_image *src, int erodes, iris_border border,
-                        uint8_t *level);
 
 /* Pixels x + first..x + last of a mask's row are joined to pixel x of `to`, w pixels. run: room for w + last - first
  * pixels and another word; to may be run. row is readable at pixels first..w + last - 1. */

@@ -2,7 +2,7 @@
 #include "kernels.h"
 
 static int32_t at[3], step;
-static uint32_t all;
+static uint32_t all, beside[2];
 
 static void choose_from(int32_t low, int32_t high)
 {
@@ -23,6 +23,14 @@ static void choose_places(void)
 static void choose_places_behind(void)
 {
     choose_from(0, 63);
+}
+
+static void choose_all(void)
+{
+    all = random_below(2) ? ~0u : 0u;
+    for (int k = 0; k < 2; k++) {
+        beside[k] = random_below(2) ? 0x80000001u : random_below(2) ? 0x7ffffffeu : 0;
+    }
 }
 
 static void choose_step(void)
@@ -82,6 +90,29 @@ static void run_join3_in_place(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_join3_mask)(words(rows[0]), words(rows[0]), at, all, (n + 31) / 32);
 }
 
+static void run_join_rows(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_join_rows_mask)
+    (words(rows[0]), words(rows[1]), words(rows[2]), words(rows[3]), all, (n + 31) / 32);
+}
+
+static void run_join_rows_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_join_rows_mask)
+    (words(rows[0]), words(rows[1]), words(rows[0]), words(rows[2]), all, (n + 31) / 32);
+}
+
+static void run_mask_join9(int plain, uint8_t **rows, int32_t n)
+{
+    const uint32_t *const three[3] = {words(rows[1]), words(rows[2]), words(rows[3])};
+    BODY(plain, iris_row_join9_mask)(words(rows[0]), three, beside, all, (n + 31) / 32);
+}
+
+static void run_agree(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_agree_mask)(words(rows[0]), words(rows[1]), at[0], all, (n + 31) / 32);
+}
+
 #define ROW3 ROW_U8_AROUND(3, 3)
 
 static const kernel_case cases[] = {
@@ -95,6 +126,10 @@ static const kernel_case cases[] = {
     {KERNEL(iris_row_minus_u8), run_minus_in_place, NULL, {ROW_U8, ROW_U8}},
     {KERNEL(iris_row_join3_mask), run_join3, choose_places, {ROW_MASK, ROW_MASK_AROUND(32, 64)}},
     {KERNEL(iris_row_join3_mask), run_join3_in_place, choose_places_behind, {ROW_MASK_AROUND(0, 64)}},
+    {KERNEL(iris_row_join_rows_mask), run_join_rows, choose_all, {ROW_MASK, ROW_MASK, ROW_MASK, ROW_MASK}},
+    {KERNEL(iris_row_join_rows_mask), run_join_rows_in_place, choose_all, {ROW_MASK, ROW_MASK, ROW_MASK}},
+    {KERNEL(iris_row_join9_mask), run_mask_join9, choose_all, {ROW_MASK, ROW_MASK, ROW_MASK, ROW_MASK}},
+    {KERNEL(iris_row_agree_mask), run_agree, choose_places, {ROW_MASK, ROW_MASK_AROUND(32, 64)}},
 };
 
 /* ---- truths ---- */
@@ -173,12 +208,69 @@ static void truth_of_join3(void **state)
     }
 }
 
+/* One pixel of the middle row is set, or all but it: at the ends of words and of the row, and where nothing is near. */
+static void truth_of_mask_rows(void **state)
+{
+    (void)state;
+    enum { WORDS = 9, PIXELS = 32 * WORDS };
+    static const int32_t places[] = {0, 31, 32, 127, 128, 200, 255, 256, PIXELS - 1};
+    BOTH_BODIES(plain)
+    {
+        for (int i = 0; i < 2 * (int)(sizeof places / sizeof places[0]); i++) {
+            uint32_t row[4][WORDS] = {{0}};
+            uint8_t *rows[] = {(uint8_t *)row[0], (uint8_t *)row[1], (uint8_t *)row[2], (uint8_t *)row[3]};
+            int32_t place = places[i / 2];
+            all = beside[0] = beside[1] = i % 2 ? ~0u : 0u;
+            row[2][place / 32] = (uint32_t)1 << place % 32;
+            for (int k = 0; k < 3 * WORDS; k++) {
+                row[1 + k / WORDS][k % WORDS] ^= all;
+            }
+            run_join_rows(plain, rows, PIXELS);
+            for (int x = 0; x < PIXELS; x++) {
+                assert_int_equal(bit(row[0], x), (x == place) != i % 2);
+            }
+            run_mask_join9(plain, rows, PIXELS);
+            for (int x = 0; x < PIXELS; x++) {
+                assert_int_equal(bit(row[0], x), (x >= place - 1 && x <= place + 1) != i % 2);
+            }
+            beside[0] = all ^ 0x80000000u;
+            beside[1] = all ^ 1u;
+            run_mask_join9(plain, rows, PIXELS);
+            assert_int_equal(bit(row[0], 0), !(i % 2));
+            assert_int_equal(bit(row[0], PIXELS - 1), !(i % 2));
+            assert_int_equal(bit(row[0], PIXELS / 2 - 20), i % 2);
+        }
+    }
+}
+
+/* Of the even pixels stay those whose pixel 33 farther on, then 1 before, is set or clear. */
+static void truth_of_agree(void **state)
+{
+    (void)state;
+    enum { WORDS = 6, SET = 77 };
+    BOTH_BODIES(plain)
+    {
+        for (int i = 0; i < 4; i++) {
+            uint32_t from[WORDS + 3] = {0}, to[WORDS];
+            uint8_t *rows[] = {(uint8_t *)to, (uint8_t *)(from + 1)};
+            memset(to, 0x55, sizeof to);
+            from[1 + SET / 32] = (uint32_t)1 << SET % 32;
+            at[0] = i / 2 ? 33 : -1;
+            all = i % 2 ? ~0u : 0u;
+            run_agree(plain, rows, 32 * WORDS);
+            for (int x = 0; x < 32 * WORDS; x++) {
+                assert_int_equal(bit(to, x), x % 2 == 0 && (x + at[0] == SET) != i % 2);
+            }
+        }
+    }
+}
+
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_samples),
-        cmocka_unit_test(truth_of_nine),
-        cmocka_unit_test(truth_of_join3),
+        cmocka_unit_test(truth_of_samples), cmocka_unit_test(truth_of_nine),
+        cmocka_unit_test(truth_of_join3),   cmocka_unit_test(truth_of_mask_rows),
+        cmocka_unit_test(truth_of_agree),
     };
     return cmocka_run_group_tests_name("kernels of morphology", tests, NULL, NULL);
 }

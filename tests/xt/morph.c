@@ -2,7 +2,7 @@
 #include "iris/xt/morph.h"
 #include "../picture.h"
 
-enum { W = 70, H = 40, PARENT_W = 128, PARENT_H = 48, BYTES = 3 * PARENT_W * PARENT_H };
+enum { W = 70, WIDEST = 289, H = 40, PARENT_W = 128, PARENT_H = 48, BYTES = 3 * PARENT_W * PARENT_H };
 
 typedef iris_status (*morph_call)(const iris_image *, const iris_image *, const iris_morph_element *,
                                   iris_border, iris_scratch *);
@@ -40,7 +40,7 @@ static size_t needed(int call, const iris_image *image, const iris_morph_element
 
 typedef struct {
     int32_t w, h, channels;
-    uint8_t at[W * H * 3];
+    uint8_t at[WIDEST * H * 3];
 } field;
 
 static field source, between_steps, result, other;
@@ -154,7 +154,7 @@ static void set_pixel(const iris_image *view, int32_t x, int32_t y, int32_t c, i
 static iris_image view_of(uint8_t *bytes, iris_format format, int32_t w, int32_t h)
 {
     iris_image parent, view;
-    int32_t parent_w = format == IRIS_MASK1 ? 96 + 7 : PARENT_W;
+    int32_t parent_w = format == IRIS_MASK1 ? 320 + 7 : PARENT_W;
     ptrdiff_t stride = (ptrdiff_t)(iris_format_row_bytes(format, parent_w));
     int32_t x = format == IRIS_MASK1 ? 32 * between(0, 1) : between(0, 20);
     stride = between(0, 1) ? stride : -stride;
@@ -273,18 +273,33 @@ static void every_width(void **state)
     }
 }
 
-/* 3x3 squares of samples have a way of their own where dst is not src. */
-static void square_of_three_at_every_width(void **state)
+/* Squares and crosses of 3x3 have a way of their own where dst is not src. */
+static void three_by_three_at_every_width(void **state)
 {
     (void)state;
-    const iris_morph_element element = {3, 3, IRIS_MORPH_SQUARE, 0};
     for (int32_t w = 1; w <= W; w++) {
-        for (int i = 0; i < 16; i++) {
-            iris_format format = i / 8 ? IRIS_RGB888 : IRIS_GRAY8;
-            iris_border border = {(iris_border_rule)(i / 2 % 4), (uint8_t)between(0, 255)};
+        for (int i = 0; i < 48; i++) {
+            const iris_morph_element element = {3, 3, (iris_morph_shape)(i / 8 % 2), 0};
+            iris_format format = formats[i / 16];
+            iris_border border = {(iris_border_rule)(i / 2 % 4),
+                                  (uint8_t)(between(0, 1) ? between(0, 255) : 0)};
             draw_source(format, w, between(1, 5), between(0, 3));
             check_call(i % 2 ? DILATE : ERODE, format, &element, border, 0);
         }
+    }
+}
+
+/* Words of a mask are joined four at a time, and the rest one by one. */
+static void wide_masks(void **state)
+{
+    (void)state;
+    static const int32_t widths[] = {95,  96,  97,  127, 128, 129, 159, 160,
+                                     161, 223, 224, 225, 256, 287, 288, 289};
+    for (int i = 0; i < 16 * 12; i++) {
+        iris_morph_element element = {3, 3, (iris_morph_shape)(i / 16 % 2), 0};
+        draw_source(IRIS_MASK1, widths[i % 16], between(1, 5), between(0, 3));
+        check_call(i / 16 % 3 ? i / 16 % 3 - 1 : between(0, CALLS - 1), IRIS_MASK1, &element, any_border(),
+                   between(0, 2) == 0);
     }
 }
 
@@ -499,7 +514,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_elements_in_full),
         cmocka_unit_test(every_width),
-        cmocka_unit_test(square_of_three_at_every_width),
+        cmocka_unit_test(three_by_three_at_every_width),
+        cmocka_unit_test(wide_masks),
         cmocka_unit_test(large_elements),
         cmocka_unit_test(the_largest_elements),
         cmocka_unit_test(masks_by_hand),

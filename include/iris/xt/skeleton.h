@@ -40,8 +40,7 @@ typedef enum {
 
 /* Thins src into dst. *passes: how many were made, the last of which removed nothing; null when not wanted.
  * IRIS_ERR_ARG: unknown method. O(pixels); then every pass looks at one byte for 64 pixels, and at the 64 pixels that
- * lie around each one that the last pass has changed. The passes are about half as many as the thickest part has pixels
- * across. */
+ * lie around each one that the last pass has changed. The passes are about half as many as the thickest part has pixels across. */
 iris_status iris_skeleton(int32_t *passes, const iris_image *dst, const iris_image *src,
                           iris_skeleton_method method, iris_scratch *scratch);
 

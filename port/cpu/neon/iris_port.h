@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 46
+#define IRIS_PORT_OVERRIDES 49
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -59,6 +59,14 @@ void iris_row_minus_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, in
 void iris_row_join3_mask_neon(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                               int32_t words);
 #define iris_row_join3_mask iris_row_join3_mask_neon
+void iris_row_join_rows_mask_neon(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
+                                  uint32_t all, int32_t words);
+#define iris_row_join_rows_mask iris_row_join_rows_mask_neon
+void iris_row_join9_mask_neon(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2],
+                              uint32_t all, int32_t words);
+#define iris_row_join9_mask iris_row_join9_mask_neon
+void iris_row_agree_mask_neon(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words);
+#define iris_row_agree_mask iris_row_agree_mask_neon
 
 void iris_row_select_u16_neon(uint16_t *dst, const uint32_t *mask, int32_t n);
 #define iris_row_select_u16 iris_row_select_u16_neon

@@ -140,18 +140,122 @@ static inline uint32x4_t pixels_of(const uint32_t *words, int32_t shift)
                      vshlq_u32(vld1q_u32(words + 1), vdupq_n_s32(32 - shift)));
 }
 
+/* Pixels around at three places, joined. */
+typedef struct {
+    const uint32_t *from[3];
+    int32_t shift[3];
+    uint32x4_t turn;
+} places;
+
+static inline uint32x4_t joined3_at(const places *p, int32_t i)
+{
+    uint32x4_t joined = veorq_u32(pixels_of(p->from[0] + i, p->shift[0]), p->turn);
+    joined = vorrq_u32(joined, veorq_u32(pixels_of(p->from[1] + i, p->shift[1]), p->turn));
+    joined = vorrq_u32(joined, veorq_u32(pixels_of(p->from[2] + i, p->shift[2]), p->turn));
+    return veorq_u32(joined, p->turn);
+}
+
 void iris_row_join3_mask_neon(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                               int32_t words)
 {
-    const uint32_t *a = src + (at[0] >> 5), *b = src + (at[1] >> 5), *c = src + (at[2] >> 5);
-    int32_t shift_a = at[0] & 31, shift_b = at[1] & 31, shift_c = at[2] & 31;
-    uint32x4_t turn = vdupq_n_u32(all);
+    if (words < 4) {
+        iris_row_join3_mask_c(dst, src, at, all, words);
+        return;
+    }
+    places p = {.turn = vdupq_n_u32(all)};
+    for (int k = 0; k < 3; k++) {
+        p.from[k] = src + (at[k] >> 5);
+        p.shift[k] = at[k] & 31;
+    }
+    uint32x4_t last = joined3_at(&p, words - 4);
+    for (int32_t i = 0; i < words - 4; i += 4) {
+        vst1q_u32(dst + i, joined3_at(&p, i));
+    }
+    vst1q_u32(dst + words - 4, last);
+}
+
+/* `all` is a constant in the following functions, so that each is compiled for both. */
+static inline uint32x4_t join3(uint32x4_t a, uint32x4_t b, uint32x4_t c, uint32_t all)
+{
+    return all ? vandq_u32(vandq_u32(a, b), c) : vorrq_u32(vorrq_u32(a, b), c);
+}
+
+static inline uint32x4_t joined_at(const uint32_t *const rows[3], uint32_t all, int32_t i)
+{
+    return join3(vld1q_u32(rows[0] + i), vld1q_u32(rows[1] + i), vld1q_u32(rows[2] + i), all);
+}
+
+static inline void join_rows(uint32_t *dst, const uint32_t *const rows[3], uint32_t all, int32_t words)
+{
+    uint32x4_t last = joined_at(rows, all, words - 4);
+    for (int32_t i = 0; i < words - 4; i += 4) {
+        vst1q_u32(dst + i, joined_at(rows, all, i));
+    }
+    vst1q_u32(dst + words - 4, last);
+}
+
+void iris_row_join_rows_mask_neon(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
+                                  uint32_t all, int32_t words)
+{
+    const uint32_t *const rows[3] = {a, b, c};
+    if (words < 4) {
+        iris_row_join_rows_mask_c(dst, a, b, c, all, words);
+    } else if (all) {
+        join_rows(dst, rows, ~0u, words);
+    } else {
+        join_rows(dst, rows, 0, words);
+    }
+}
+
+/* Each pixel with its neighbors; left and right: the words before and behind. */
+static inline uint32x4_t join_beside(uint32x4_t left, uint32x4_t here, uint32x4_t right, uint32_t all)
+{
+    left = vorrq_u32(vshrq_n_u32(left, 31), vshlq_n_u32(here, 1));
+    right = vorrq_u32(vshrq_n_u32(here, 1), vshlq_n_u32(right, 31));
+    return join3(left, here, right, all);
+}
+
+static inline void join9(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2], uint32_t all,
+                         int32_t words)
+{
+    const uint32_t *const from[3] = {rows[0], rows[1], rows[2]};
+    uint32x4_t before = vdupq_n_u32(beside[0]), here = joined_at(from, all, 0);
+    int32_t i = 0;
+    for (; i < words - 7; i += 4) {
+        uint32x4_t next = joined_at(from, all, i + 4);
+        vst1q_u32(dst + i, join_beside(vextq_u32(before, here, 3), here, vextq_u32(here, next, 1), all));
+        before = here;
+        here = next;
+    }
+    uint32x4_t left = vextq_u32(before, here, 3);
+    if (i < words - 4) {
+        vst1q_u32(dst + i, join_beside(left, here, joined_at(from, all, i + 1), all));
+        left = joined_at(from, all, words - 5);
+        here = joined_at(from, all, words - 4);
+    }
+    vst1q_u32(dst + words - 4, join_beside(left, here, vextq_u32(here, vdupq_n_u32(beside[1]), 1), all));
+}
+
+void iris_row_join9_mask_neon(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2],
+                              uint32_t all, int32_t words)
+{
+    if (words < 4) {
+        iris_row_join9_mask_c(dst, rows, beside, all, words);
+    } else if (all) {
+        join9(dst, rows, beside, ~0u, words);
+    } else {
+        join9(dst, rows, beside, 0, words);
+    }
+}
+
+void iris_row_agree_mask_neon(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words)
+{
+    const uint32_t *from = src + (at >> 5);
+    uint32x4_t turned = vdupq_n_u32(turn);
+    int32_t shift = at & 31;
     int32_t i = 0;
     for (; i < words - 3; i += 4) {
-        uint32x4_t joined = veorq_u32(pixels_of(a + i, shift_a), turn);
-        joined = vorrq_u32(joined, veorq_u32(pixels_of(b + i, shift_b), turn));
-        joined = vorrq_u32(joined, veorq_u32(pixels_of(c + i, shift_c), turn));
-        vst1q_u32(dst + i, veorq_u32(joined, turn));
+        vst1q_u32(dst + i, vandq_u32(vld1q_u32(dst + i), veorq_u32(pixels_of(from + i, shift), turned)));
     }
-    iris_row_join3_mask_c(dst + i, src + i, at, all, words - i);
+    iris_row_agree_mask_c(dst + i, src + i, at, turn, words - i);
 }

@@ -136,18 +136,123 @@ static inline __m128i pixels_of(const uint32_t *words, __m128i shift)
     return _mm_or_si128(_mm_srl_epi32(load16(words), shift), _mm_sll_epi32(load16(words + 1), rest));
 }
 
+/* Pixels around at three places, joined. */
+typedef struct {
+    const uint32_t *from[3];
+    __m128i shift[3], turn;
+} places;
+
+static inline __m128i joined3_at(const places *p, int32_t i)
+{
+    __m128i joined = _mm_xor_si128(pixels_of(p->from[0] + i, p->shift[0]), p->turn);
+    joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(p->from[1] + i, p->shift[1]), p->turn));
+    joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(p->from[2] + i, p->shift[2]), p->turn));
+    return _mm_xor_si128(joined, p->turn);
+}
+
 void iris_row_join3_mask_sse(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                              int32_t words)
 {
-    const uint32_t *a = src + (at[0] >> 5), *b = src + (at[1] >> 5), *c = src + (at[2] >> 5);
-    __m128i shift_a = _mm_cvtsi32_si128(at[0] & 31), shift_b = _mm_cvtsi32_si128(at[1] & 31);
-    __m128i shift_c = _mm_cvtsi32_si128(at[2] & 31), turn = _mm_set1_epi32((int)all);
+    if (words < 4) {
+        iris_row_join3_mask_c(dst, src, at, all, words);
+        return;
+    }
+    places p = {.turn = _mm_set1_epi32((int)all)};
+    for (int k = 0; k < 3; k++) {
+        p.from[k] = src + (at[k] >> 5);
+        p.shift[k] = _mm_cvtsi32_si128(at[k] & 31);
+    }
+    __m128i last = joined3_at(&p, words - 4);
+    for (int32_t i = 0; i < words - 4; i += 4) {
+        store16(dst + i, joined3_at(&p, i));
+    }
+    store16(dst + words - 4, last);
+}
+
+/* `all` is a constant in the following functions, so that each is compiled for both. */
+static inline __m128i join3(__m128i a, __m128i b, __m128i c, uint32_t all)
+{
+    return all ? _mm_and_si128(_mm_and_si128(a, b), c) : _mm_or_si128(_mm_or_si128(a, b), c);
+}
+
+static inline __m128i joined_at(const uint32_t *const rows[3], uint32_t all, int32_t i)
+{
+    return join3(load16(rows[0] + i), load16(rows[1] + i), load16(rows[2] + i), all);
+}
+
+static inline void join_rows(uint32_t *dst, const uint32_t *const rows[3], uint32_t all, int32_t words)
+{
+    __m128i last = joined_at(rows, all, words - 4);
+    for (int32_t i = 0; i < words - 4; i += 4) {
+        store16(dst + i, joined_at(rows, all, i));
+    }
+    store16(dst + words - 4, last);
+}
+
+void iris_row_join_rows_mask_sse(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
+                                 uint32_t all, int32_t words)
+{
+    const uint32_t *const rows[3] = {a, b, c};
+    if (words < 4) {
+        iris_row_join_rows_mask_c(dst, a, b, c, all, words);
+    } else if (all) {
+        join_rows(dst, rows, ~0u, words);
+    } else {
+        join_rows(dst, rows, 0, words);
+    }
+}
+
+/* Each pixel with its neighbors; left and right: the words before and behind. */
+static inline __m128i join_beside(__m128i left, __m128i here, __m128i right, uint32_t all)
+{
+    left = _mm_or_si128(_mm_srli_epi32(left, 31), _mm_slli_epi32(here, 1));
+    right = _mm_or_si128(_mm_srli_epi32(here, 1), _mm_slli_epi32(right, 31));
+    return join3(left, here, right, all);
+}
+
+static inline void join9(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2], uint32_t all,
+                         int32_t words)
+{
+    const uint32_t *const from[3] = {rows[0], rows[1], rows[2]};
+    __m128i before = _mm_set1_epi32((int)beside[0]), here = joined_at(from, all, 0);
+    int32_t i = 0;
+    for (; i < words - 7; i += 4) {
+        __m128i next = joined_at(from, all, i + 4);
+        store16(dst + i,
+                join_beside(_mm_alignr_epi8(here, before, 12), here, _mm_alignr_epi8(next, here, 4), all));
+        before = here;
+        here = next;
+    }
+    __m128i left = _mm_alignr_epi8(here, before, 12);
+    if (i < words - 4) {
+        store16(dst + i, join_beside(left, here, joined_at(from, all, i + 1), all));
+        left = joined_at(from, all, words - 5);
+        here = joined_at(from, all, words - 4);
+    }
+    store16(dst + words - 4,
+            join_beside(left, here, _mm_alignr_epi8(_mm_set1_epi32((int)beside[1]), here, 4), all));
+}
+
+void iris_row_join9_mask_sse(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2],
+                             uint32_t all, int32_t words)
+{
+    if (words < 4) {
+        iris_row_join9_mask_c(dst, rows, beside, all, words);
+    } else if (all) {
+        join9(dst, rows, beside, ~0u, words);
+    } else {
+        join9(dst, rows, beside, 0, words);
+    }
+}
+
+void iris_row_agree_mask_sse(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words)
+{
+    const uint32_t *from = src + (at >> 5);
+    __m128i turned = _mm_set1_epi32((int)turn);
+    __m128i shift = _mm_cvtsi32_si128(at & 31);
     int32_t i = 0;
     for (; i < words - 3; i += 4) {
-        __m128i joined = _mm_xor_si128(pixels_of(a + i, shift_a), turn);
-        joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(b + i, shift_b), turn));
-        joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(c + i, shift_c), turn));
-        store16(dst + i, _mm_xor_si128(joined, turn));
+        store16(dst + i, _mm_and_si128(load16(dst + i), _mm_xor_si128(pixels_of(from + i, shift), turned)));
     }
-    iris_row_join3_mask_c(dst + i, src + i, at, all, words - i);
+    iris_row_agree_mask_c(dst + i, src + i, at, turn, words - i);
 }
