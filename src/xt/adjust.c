@@ -111,7 +111,7 @@ iris_status iris_adjust(const iris_image *dst, const iris_image *src, const iris
     }
     if (is_outside(by->red, 255) || is_outside(by->green, 255) || is_outside(by->blue, 255) ||
         is_outside(by->saturation, 100) || is_outside(by->lightness, 100)) {
-        return IRIS_ERR_RANGE;
+        return IRIS_ERR_ARG;
     }
     for (int32_t y = 0; y < src->h; y++) {
         row_adjust((uint8_t *)iris_image_row(dst, y), (const uint8_t *)iris_image_row(src, y), src->w,

@@ -192,8 +192,11 @@ iris_status iris_equalize_local(const iris_image *dst, const iris_image *src,
     }
     iris_equalize_local_defaults(&by);
     by = config ? *config : by;
-    if (by.tiles < 1 || by.tiles > IRIS_EQUALIZE_TILES_MAX || by.tiles > src->w || by.tiles > src->h ||
-        by.limit_q16 < 0 || by.limit_q16 > 256 * IRIS_Q16_ONE) {
+    if (by.tiles < 1 || by.tiles > IRIS_EQUALIZE_TILES_MAX || by.limit_q16 < 0 ||
+        by.limit_q16 > 256 * IRIS_Q16_ONE) {
+        return IRIS_ERR_ARG;
+    }
+    if (by.tiles > src->w || by.tiles > src->h) {
         return IRIS_ERR_RANGE;
     }
     size_t mark = iris_scratch_mark(scratch);

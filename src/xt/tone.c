@@ -112,7 +112,7 @@ iris_status iris_tone_stretch(iris_tone *tone, const iris_tone_segments *segment
         lines = *segments;
     }
     if (lines.a < 0 || lines.b < lines.a || lines.b > 255) {
-        return IRIS_ERR_RANGE;
+        return IRIS_ERR_ARG;
     }
     for (int32_t i = 0; i < 256; i++) {
         int32_t p = tone->level[i];

@@ -52,7 +52,7 @@ iris_status iris_unsharp(const iris_image *dst, const iris_image *src, const iri
     if (chosen.sigma_q16 < IRIS_BLUR_SIGMA_MIN || chosen.sigma_q16 > IRIS_BLUR_SIGMA_MAX ||
         chosen.amount_q16 < 0 || chosen.amount_q16 > IRIS_UNSHARP_AMOUNT_MAX || chosen.threshold < 0 ||
         chosen.threshold > 255) {
-        return IRIS_ERR_RANGE;
+        return IRIS_ERR_ARG;
     }
     size_t mark = iris_scratch_mark(scratch);
     status = unsharp(dst, src, &chosen, border, scratch);

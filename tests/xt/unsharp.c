@@ -138,7 +138,7 @@ static void wrong_calls_are_refused(void **state)
                                          {65536, 1, -1},
                                          {65536, 1, 256}};
     for (int i = 0; i < 6; i++) {
-        assert_int_equal(iris_unsharp(&dst, &src, &wrong[i], border, &scratch), IRIS_ERR_RANGE);
+        assert_int_equal(iris_unsharp(&dst, &src, &wrong[i], border, &scratch), IRIS_ERR_ARG);
     }
     bad.w = 19;
     assert_int_equal(iris_unsharp(&bad, &src, NULL, border, &scratch), IRIS_ERR_RANGE);

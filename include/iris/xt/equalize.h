@@ -57,7 +57,8 @@ void iris_equalize_local_defaults(iris_equalize_local_config *config);
  *
  * config: null for the defaults. A limit of 1 changes little, 2 to 4 is usual; without a limit noise in even areas is raised
  * to full contrast.
- * IRIS_ERR_RANGE: tiles or limit outside. O(pixels + 256 tiles^2). */
+ * IRIS_ERR_ARG: tiles or limit outside; IRIS_ERR_RANGE: more tiles than the picture has rows or columns.
+ * O(pixels + 256 tiles^2). */
 iris_status iris_equalize_local(const iris_image *dst, const iris_image *src,
                                 const iris_equalize_local_config *config, iris_scratch *scratch);
 

@@ -60,7 +60,7 @@ typedef struct {
 void iris_tone_segments_defaults(iris_tone_segments *segments);
 
 /* Contrast stretch in three segments; null: the defaults.
- * IRIS_ERR_RANGE: a or b. */
+ * IRIS_ERR_ARG: a or b outside. */
 iris_status iris_tone_stretch(iris_tone *tone, const iris_tone_segments *segments);
 
 /* Linear stretch between two levels: low and what is below becomes 0, high and what is above 255. Between equal levels there
@@ -118,7 +118,7 @@ typedef struct {
  * of hue, which wraps around, and saturation and lightness, limited to 0..100 percent, as color.h defines them: 120
  * degrees of hue turn red into green, 100 points of lightness turn every color into white. A gray has no hue: it stays
  * gray at any saturation. Each channel is within 0.51 of the exact value.
- * IRIS_ERR_RANGE: a number outside. Two divisions for every pixel that is not gray, when one of hue, saturation, and
+ * IRIS_ERR_ARG: a number outside. Two divisions for every pixel that is not gray, when one of hue, saturation, and
  * lightness is not 0. */
 iris_status iris_adjust(const iris_image *dst, const iris_image *src, const iris_adjustment *by);
 

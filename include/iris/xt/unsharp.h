@@ -32,9 +32,9 @@ void iris_unsharp_defaults(iris_unsharp_config *config);
 /* dst = src + amount * (src - blurred), rounded, 0 to 255, where |src - blurred| is above the threshold, else src.
  * blurred is what iris_blur_gaussian gives. IRIS_GRAY8, or each channel of IRIS_RGB888 and IRIS_BGR888. dst may be
  * src. A null config means the defaults.
- * IRIS_ERR_ARG: null pointer, invalid view, or unknown border rule; IRIS_ERR_FORMAT: other or different formats;
- * IRIS_ERR_RANGE: sizes differ, or a config value outside; IRIS_ERR_ALIAS: dst and src overlap without being the same
- * view; IRIS_ERR_SCRATCH. O(pixels * channels * radius of the blur). */
+ * IRIS_ERR_ARG: null pointer, invalid view, unknown border rule, or a config value outside; IRIS_ERR_FORMAT: other or
+ * different formats; IRIS_ERR_RANGE: sizes differ; IRIS_ERR_ALIAS: dst and src overlap without being the same view;
+ * IRIS_ERR_SCRATCH. O(pixels * channels * radius of the blur). */
 iris_status iris_unsharp(const iris_image *dst, const iris_image *src, const iris_unsharp_config *config,
                          iris_border border, iris_scratch *scratch);
 
