@@ -50,6 +50,11 @@ works "--roi" threshold --value 100 --roi 1,0,2,2 gray.pgm -o part.pgm
 same "--roi, pixels" part.pgm 50350a3420320a3235350a00000065ff0000c8
 works "--roi on color" gray --method green --roi 1,0,1,2 square.ppm -o part.ppm
 same "--roi on color, pixels" part.ppm 50360a3220320a3235350a0ac81e0000000000ff020202
+works "--roi keeps a mask" pipe "threshold --value 100 | blur --box 3 --roi 0,0,2,2" gray.pgm -o part.bmp # 57 28 / 113 57
+"$iris" info part.bmp | grep -q mask; say $? "--roi keeps a mask, kind"
+[ "$(bytes part.bmp | tail -c 16)" = 1000000010000000 ]; say $? "--roi keeps a mask, pixels"
+works "--roi keeps gray" adjust --red 100 --roi 0,0,1,1 gray.pgm -o part.pgm # 77 of 256 times 100
+same "--roi keeps gray, pixels" part.pgm 50350a3420320a3235350a1e636465ff6400c8
 works "--roi of everything" threshold --value 100 --roi 0,0,4,2 gray.pgm -o part.pgm
 same "--roi of everything, pixels" part.pgm 50350a3420320a3235350a000000ffff0000ff
 works "--roi within a pipe" pipe "gray --roi 0,0,1,2 | threshold --value 100 --roi 0,0,1,1" square.ppm -o part.ppm

@@ -9,7 +9,7 @@ static const char help[] =
     "Adds to each channel by itself, first to red, green, and blue, then to hue, saturation, and lightness.\n"
     "A gray picture stays gray when red, green, and blue get the same.\n\n"
     "  --red N --green N --blue N    levels, -255 to 255\n"
-    "  --hue DEG         degrees; 120 turns red into green, green into blue, blue into red\n"
+    "  --hue DEG         whole degrees; 120 turns red into green, green into blue, blue into red\n"
     "  --saturation N    percent points, -100 (gray) to 100; gray stays gray\n"
     "  --lightness N     percent points, -100 (black) to 100 (white)\n" OPERATION_OPTIONS "\n"
     "example: iris adjust --hue 20 --saturation -15 photo.bmp -o photo2.bmp\n";
