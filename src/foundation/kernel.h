@@ -371,13 +371,28 @@ void iris_row_sharpen_u8_c(uint8_t *dst, const uint8_t *src, const uint8_t *blur
 #define iris_row_sharpen_u8 iris_row_sharpen_u8_c
 #endif
 
-/* sums += the symmetric weighted sum across a row of samples `step` apart, 0 to 2^14 each: weights of the distances 0
- * to radius, each below 2^15 in size. No sum on the way leaves int32_t. src is readable from -radius * step up to
- * below n + radius * step. */
-void iris_row_pairs_s16_c(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
-                          int32_t step, int32_t n);
-#ifndef iris_row_pairs_s16
-#define iris_row_pairs_s16 iris_row_pairs_s16_c
+/* A symmetric weighted sum of 2 radius + 1 rows of bytes, radius 1 or more, of which the first sample of row k, counted
+ * from 0, is src[at[k]]. weights of the distances 0 to radius, which sum to 2^17 with each side counted, each at least 0
+ * and below 2^15. dst has 6 fraction bits: (sum + 2^10) >> 11. */
+void iris_row_wide_down_c(int16_t *dst, const uint8_t *src, const int32_t *at, const int16_t *weights,
+                          int32_t radius, int32_t n);
+#ifndef iris_row_wide_down
+#define iris_row_wide_down iris_row_wide_down_c
+#endif
+
+/* The same across a row of such sums, 0 to 255 * 2^6 each, whose samples are `step` apart: (sum + 2^16) >> 17. src is
+ * readable from -radius * step up to below n + radius * step. */
+void iris_row_wide_across_c(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                            int32_t step, int32_t n);
+#ifndef iris_row_wide_across
+#define iris_row_wide_across iris_row_wide_across_c
+#endif
+
+/* The same, rounded to bytes at once: (sum + 2^22) >> 23. */
+void iris_row_wide_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                               int32_t step, int32_t n);
+#ifndef iris_row_wide_across_u8
+#define iris_row_wide_across_u8 iris_row_wide_across_u8_c
 #endif
 
 /* sums[i] += weight * src[i] of each tap; count: 1 to IRIS_ROW_TAPS. No sum on the way leaves int32_t, in any order. */

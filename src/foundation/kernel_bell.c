@@ -1,4 +1,4 @@
-/* Symmetric weighted sums, for small Gaussians. */
+/* Symmetric weighted sums: bells for small Gaussians, and wide ones. */
 #include "kernel.h"
 
 void iris_row_bell_down_c(int16_t *dst, const uint8_t *const *rows, const int16_t *weights, int32_t radius,
@@ -39,13 +39,40 @@ void iris_row_bell_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *
     }
 }
 
-void iris_row_pairs_s16_c(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
-                          int32_t step, int32_t n)
+void iris_row_wide_down_c(int16_t *dst, const uint8_t *src, const int32_t *at, const int16_t *weights,
+                          int32_t radius, int32_t n)
 {
-    for (int32_t k = 0; k <= radius; k++) {
-        const int16_t *left = src - k * step, *right = src + k * step;
-        for (int32_t i = 0; i < n; i++) {
-            sums[i] += weights[k] * (k == 0 ? src[i] : left[i] + right[i]);
+    for (int32_t i = 0; i < n; i++, src++) {
+        int32_t sum = (1 << 10) + src[at[radius]] * weights[0];
+        for (int32_t k = 1; k <= radius; k++) {
+            sum += (src[at[radius - k]] + src[at[radius + k]]) * weights[k];
         }
+        dst[i] = (int16_t)(sum >> 11);
+    }
+}
+
+/* At most 255 * 2^23. */
+static inline int32_t wide_at(const int16_t *src, const int16_t *weights, int32_t radius, int32_t step)
+{
+    int32_t sum = src[0] * weights[0];
+    for (int32_t k = 1; k <= radius; k++) {
+        sum += (src[-k * step] + src[k * step]) * weights[k];
+    }
+    return sum;
+}
+
+void iris_row_wide_across_c(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                            int32_t step, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = (int16_t)((wide_at(src + i, weights, radius, step) + (1 << 16)) >> 17);
+    }
+}
+
+void iris_row_wide_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                               int32_t step, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = (uint8_t)((wide_at(src + i, weights, radius, step) + (1 << 22)) >> 23);
     }
 }

@@ -6,9 +6,8 @@
 #include "gauss.h"
 #include "iris/xt/blur.h"
 
-#define TILE 64 /* samples that are summed at a time */
-
-/* How exact the weights are: as many bits as keep the center below 2^15 and the sums within int32_t. */
+/* How exact the weights are: as many bits as keep the center below 2^15 and the sums within int32_t. What kernels go
+ * by. */
 static int bits_of(int32_t radius)
 {
     return radius <= IRIS_BELL_RADIUS ? 15 : 17;
@@ -49,49 +48,34 @@ iris_status iris_blur_rows_begin(iris_blur_rows *blur, const iris_image *src, ir
     size_t samples = (size_t)src->w * (size_t)blur->rows.channels + 2 * (size_t)beyond;
     int16_t *middle = (int16_t *)iris_scratch_take(scratch, sizeof(int16_t) * samples);
     blur->weights = (int16_t *)iris_scratch_take(scratch, sizeof(int16_t) * ((size_t)radius + 1));
-    if (!middle || !blur->weights) {
+    size_t rows_at = radius > IRIS_BELL_RADIUS ? 2 * (size_t)radius + 1 : 0;
+    blur->at = (int32_t *)iris_scratch_take(scratch, sizeof(int32_t) * rows_at);
+    if (!middle || !blur->weights || !blur->at) {
         return IRIS_ERR_SCRATCH;
     }
     blur->middle = middle + beyond;
     blur->radius = radius;
-    blur->bits = bits_of(radius);
-    set_weights(blur->weights, radius, blur->bits, sigma_q16);
+    set_weights(blur->weights, radius, bits_of(radius), sigma_q16);
     return IRIS_OK;
 }
 
-/* Samples from `from` on, n of them, of the row that is the sum from top to bottom. At most 255 * 2^bits before and
- * 255 * 64 after the shift. */
-static void sum_down(const iris_blur_rows *blur, int32_t from, int32_t n)
+/* The sums of rows into n samples from `first` on: of many rows, where they are goes by way of scratch. */
+static void sum_down(const iris_blur_rows *blur, int32_t first, int32_t n)
 {
-    int32_t sums[TILE], count = 0;
-    iris_row_tap taps[IRIS_ROW_TAPS];
-    for (int32_t i = 0; i < n; i++) {
-        sums[i] = 1 << (blur->bits - 7);
-    }
-    for (int32_t k = -blur->radius; k <= blur->radius; k++) {
-        taps[count++] = (iris_row_tap){iris_rows_at(&blur->rows, k) + from, blur->weights[k < 0 ? -k : k]};
-        if (count == IRIS_ROW_TAPS || k == blur->radius) {
-            iris_row_taps_u8(sums, taps, count, n);
-            count = 0;
+    int32_t radius = blur->radius;
+    if (radius <= IRIS_BELL_RADIUS) {
+        const uint8_t *around[2 * IRIS_BELL_RADIUS + 1];
+        for (int32_t k = 0; k <= 2 * radius; k++) {
+            around[k] = iris_rows_at(&blur->rows, k - radius) + first;
         }
+        iris_row_bell_down(blur->middle + first, around, blur->weights, radius, n);
+        return;
     }
-    for (int32_t i = 0; i < n; i++) {
-        blur->middle[from + i] = (int16_t)(sums[i] >> (blur->bits - 6));
+    const uint8_t *center = iris_rows_at(&blur->rows, 0);
+    for (int32_t k = 0; k <= 2 * radius; k++) {
+        blur->at[k] = (int32_t)(iris_rows_at(&blur->rows, k - radius) - center);
     }
-}
-
-/* The same from left to right, times 2^bits, with `half` for rounding. At most 255 * 2^23 + 2^22 < 2^31. */
-static void sum_across(int32_t *sums, const iris_blur_rows *blur, int32_t half, int32_t from, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++) {
-        sums[i] = half;
-    }
-    iris_row_pairs_s16(sums, blur->middle + from, blur->weights, blur->radius, blur->rows.channels, n);
-}
-
-static int32_t tile(int32_t from, int32_t end)
-{
-    return end - from < TILE ? end - from : TILE;
+    iris_row_wide_down(blur->middle + first, center + first, blur->at, blur->weights, radius, n);
 }
 
 /* The samples of the row that are evaluated, summed from top to bottom; 0 when there are none. */
@@ -103,37 +87,23 @@ static int make_middle(const iris_blur_rows *blur, int32_t *first, int32_t *end)
     }
     *first *= channels;
     *end *= channels;
-    if (radius > IRIS_BELL_RADIUS) {
-        for (int32_t i = *first - beyond; i < *end + beyond; i += TILE) {
-            sum_down(blur, i, tile(i, *end + beyond));
-        }
-    } else if (radius > 0) {
-        const uint8_t *around[2 * IRIS_BELL_RADIUS + 1];
-        for (int32_t k = 0; k <= 2 * radius; k++) {
-            around[k] = iris_rows_at(&blur->rows, k - radius) + *first - beyond;
-        }
-        iris_row_bell_down(blur->middle + *first - beyond, around, blur->weights, radius,
-                           *end - *first + 2 * beyond);
+    if (radius > 0) {
+        sum_down(blur, *first - beyond, *end - *first + 2 * beyond);
     }
     return 1;
 }
 
 void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst)
 {
-    int32_t first, end, sums[TILE];
-    int32_t some = make_middle(blur, &first, &end);
-    if (some && blur->radius == 0) {
-        memcpy(dst + first, iris_rows_at(&blur->rows, 0) + first, (size_t)(end - first));
-    } else if (some && blur->radius <= IRIS_BELL_RADIUS) {
-        iris_row_bell_across_u8(dst + first, blur->middle + first, blur->weights, blur->radius,
-                                blur->rows.channels, end - first);
-    } else {
-        for (int32_t start = first; some && start < end; start += TILE) {
-            int32_t n = tile(start, end);
-            sum_across(sums, blur, 1 << (blur->bits + 5), start, n);
-            for (int32_t i = 0; i < n; i++) {
-                dst[start + i] = (uint8_t)(sums[i] >> (blur->bits + 6));
-            }
+    int32_t first, end, radius = blur->radius, channels = blur->rows.channels;
+    if (make_middle(blur, &first, &end)) {
+        const int16_t *middle = blur->middle + first;
+        if (radius == 0) {
+            memcpy(dst + first, iris_rows_at(&blur->rows, 0) + first, (size_t)(end - first));
+        } else if (radius <= IRIS_BELL_RADIUS) {
+            iris_row_bell_across_u8(dst + first, middle, blur->weights, radius, channels, end - first);
+        } else {
+            iris_row_wide_across_u8(dst + first, middle, blur->weights, radius, channels, end - first);
         }
     }
     iris_rows_next(&blur->rows);
@@ -141,20 +111,16 @@ void iris_blur_rows_next(iris_blur_rows *blur, uint8_t *dst)
 
 void iris_blur_rows_next_q6(iris_blur_rows *blur, int16_t *dst)
 {
-    int32_t first, end, sums[TILE];
-    int32_t some = make_middle(blur, &first, &end);
-    for (int32_t i = first; some && blur->radius == 0 && i < end; i++) {
-        dst[i] = (int16_t)(64 * iris_rows_at(&blur->rows, 0)[i]);
-    }
-    if (some && blur->radius > 0 && blur->radius <= IRIS_BELL_RADIUS) {
-        iris_row_bell_across(dst + first, blur->middle + first, blur->weights, blur->radius,
-                             blur->rows.channels, end - first);
-    }
-    for (int32_t start = first; some && blur->radius > IRIS_BELL_RADIUS && start < end; start += TILE) {
-        int32_t n = tile(start, end);
-        sum_across(sums, blur, 1 << (blur->bits - 1), start, n);
-        for (int32_t i = 0; i < n; i++) {
-            dst[start + i] = (int16_t)(sums[i] >> blur->bits);
+    int32_t first, end, radius = blur->radius, channels = blur->rows.channels;
+    if (make_middle(blur, &first, &end)) {
+        const int16_t *middle = blur->middle + first;
+        for (int32_t i = first; radius == 0 && i < end; i++) {
+            dst[i] = (int16_t)(64 * iris_rows_at(&blur->rows, 0)[i]);
+        }
+        if (radius > IRIS_BELL_RADIUS) {
+            iris_row_wide_across(dst + first, middle, blur->weights, radius, channels, end - first);
+        } else if (radius > 0) {
+            iris_row_bell_across(dst + first, middle, blur->weights, radius, channels, end - first);
         }
     }
     iris_rows_next(&blur->rows);

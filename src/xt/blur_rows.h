@@ -20,8 +20,8 @@
 typedef struct {
     iris_rows rows;
     int32_t radius;
-    int bits;         /* the weights' sum is 2^bits */
     int16_t *weights; /* of the distances 0 to radius */
+    int32_t *at;      /* of a wide one: the bytes from the middle row to each row around */
     int16_t *middle;  /* pixel 0 of a row summed from top to bottom, with 6 fraction bits */
 } iris_blur_rows;
 

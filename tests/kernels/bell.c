@@ -1,4 +1,4 @@
-/* Kernels of small Gaussians. */
+/* Kernels of Gaussians. */
 #include "kernels.h"
 
 static int32_t radius, step;
@@ -53,26 +53,21 @@ static void run_across_u8(int plain, uint8_t **rows, int32_t n)
 }
 
 /* Wide ones, as many distances as the harness has room for; weights of 2^17 in all. */
-static int32_t wide_radius;
+static int32_t wide_radius, wide_at[81];
 static int16_t wide_weights[41];
 
 static void choose_wide(void)
 {
     int32_t rest = 1 << 17;
-    wide_radius = (int32_t)random_below(41);
+    wide_radius = 1 + (int32_t)random_below(40);
     step = random_below(2) ? 1 : 3;
     for (int32_t k = 0; k <= wide_radius; k++) {
         int32_t most = rest / 2 < INT16_MAX ? rest / 2 : INT16_MAX;
         wide_weights[k] = (int16_t)(random_below(4) ? random_below((uint32_t)most + 1) : (uint32_t)most);
         rest -= 2 * wide_weights[k];
     }
-}
-
-static void fill_starts(uint8_t *row, size_t bytes)
-{
-    for (size_t i = 0; i + 4 <= bytes; i += 4) {
-        int32_t start = (int32_t)random_below(1 << 22);
-        memcpy(row + i, &start, 4);
+    for (int32_t k = 0; k <= 2 * wide_radius; k++) {
+        wide_at[k] = (int32_t)random_below(241) - 120;
     }
 }
 
@@ -84,13 +79,23 @@ static void fill_plain_sums(uint8_t *row, size_t bytes)
     }
 }
 
-static void run_pairs(int plain, uint8_t **rows, int32_t n)
+static void run_wide_down(int plain, uint8_t **rows, int32_t n)
 {
-    BODY(plain, iris_row_pairs_s16)
-    ((int32_t *)(void *)rows[0], halves(rows[1]), wide_weights, wide_radius, step, n);
+    BODY(plain, iris_row_wide_down)(halves(rows[0]), rows[1], wide_at, wide_weights, wide_radius, n);
 }
 
-#define SUMS ROW_AROUND(1, 2, 2, fill_sums, 3 * IRIS_BELL_RADIUS, 3 * IRIS_BELL_RADIUS)
+static void run_wide_across(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_wide_across)(halves(rows[0]), halves(rows[1]), wide_weights, wide_radius, step, n);
+}
+
+static void run_wide_across_u8(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_wide_across_u8)(rows[0], halves(rows[1]), wide_weights, wide_radius, step, n);
+}
+
+#define WIDE_SUMS ROW_AROUND(1, 2, 2, fill_plain_sums, 120, 120)
+#define SUMS      ROW_AROUND(1, 2, 2, fill_sums, 3 * IRIS_BELL_RADIUS, 3 * IRIS_BELL_RADIUS)
 
 static const kernel_case cases[] = {
     {KERNEL(iris_row_bell_down),
@@ -98,10 +103,9 @@ static const kernel_case cases[] = {
      choose_weights,
      {ROW_S16, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8}},
     {KERNEL(iris_row_bell_across), run_across, choose_weights, {ROW_S16, SUMS}},
-    {KERNEL(iris_row_pairs_s16),
-     run_pairs,
-     choose_wide,
-     {ROW(1, 4, 4, fill_starts), ROW_AROUND(1, 2, 2, fill_plain_sums, 120, 120)}},
+    {KERNEL(iris_row_wide_down), run_wide_down, choose_wide, {ROW_S16, ROW_U8_AROUND(120, 120)}},
+    {KERNEL(iris_row_wide_across), run_wide_across, choose_wide, {ROW_S16, WIDE_SUMS}},
+    {KERNEL(iris_row_wide_across_u8), run_wide_across_u8, choose_wide, {ROW_U8, WIDE_SUMS}},
     {KERNEL(iris_row_bell_across_u8), run_across_u8, choose_weights, {ROW_U8, SUMS}},
 };
 
@@ -159,35 +163,87 @@ static void truth_of_across(void **state)
     }
 }
 
-/* 7, and 5 times the sample, 3 times its neighbors, and twice theirs. */
-static void truth_of_pairs(void **state)
+/* 900, 800, 700... where one row of many, or one sample, is not 0, by how far away that is. */
+static void truth_of_wide(void **state)
 {
     (void)state;
+    for (int32_t k = 0; k < 9; k++) {
+        wide_weights[k] = (int16_t)(1600 * (9 - k));
+    }
     BOTH_BODIES(plain)
     {
-        for (int32_t distances = 0; distances <= 2; distances++) {
-            int32_t sums[N];
-            int16_t src[N + 4];
-            uint8_t *rows[2] = {(uint8_t *)sums, (uint8_t *)(src + 2)};
-            for (int i = 0; i < N + 4; i++) {
-                src[i] = (int16_t)(100 * i);
-            }
-            for (int i = 0; i < N; i++) {
-                sums[i] = 7;
-            }
-            wide_radius = distances;
-            step = 1;
-            wide_weights[0] = 5;
-            wide_weights[1] = 3;
-            wide_weights[2] = 2;
-            run_pairs(plain, rows, N);
-            for (int i = 0; i < N; i++) {
-                assert_int_equal(sums[i], 7 + 100 * (i + 2) *
-                                                  (distances == 0   ? 5
-                                                   : distances == 1 ? 11
-                                                                    : 15));
+        for (wide_radius = 1; wide_radius <= 8; wide_radius++) {
+            for (int32_t which = -wide_radius; which <= wide_radius; which++) {
+                uint8_t pixels[2 * N], *down[2] = {NULL, pixels}, *across[2];
+                int16_t out[N], src[N + 48];
+                memset(pixels, 0, N);
+                memset(pixels + N, 128, N);
+                memset(src, 0, sizeof src);
+                for (int32_t k = 0; k <= 2 * wide_radius; k++) {
+                    wide_at[k] = k == wide_radius + which ? N : 0;
+                }
+                down[0] = across[0] = (uint8_t *)out;
+                across[1] = (uint8_t *)(src + 24);
+                run_wide_down(plain, down, N);
+                for (int32_t i = 0; i < N; i++) {
+                    assert_int_equal(out[i], 100 * (9 - abs(which)));
+                }
+                step = which % 2 ? 1 : 3;
+                src[24 + 25 + which * step] = 8192;
+                run_wide_across(plain, across, N);
+                assert_int_equal(out[25], 100 * (9 - abs(which)));
             }
         }
+    }
+}
+
+/* The last that is rounded down, and the first that is rounded up; and the greatest that there is. */
+static void truth_of_wide_rounding(void **state)
+{
+    (void)state;
+    static const int16_t center[3] = {1023, 1024, 16384}, sample[4] = {3, 4, 255, 256};
+    BOTH_BODIES(plain)
+    {
+        uint8_t bytes[N], pixels[N], *rows[2], *to_bytes[2];
+        int16_t out[N], src[N + 16];
+        rows[0] = (uint8_t *)out;
+        to_bytes[0] = bytes;
+        to_bytes[1] = (uint8_t *)(src + 8);
+        memset(wide_at, 0, sizeof wide_at);
+        memset(wide_weights, 0, sizeof wide_weights);
+        memset(pixels, 1, N);
+        wide_radius = 8;
+        step = 1;
+        for (int k = 0; k < 4; k++) {
+            wide_weights[0] = center[k < 2 ? k : 2];
+            for (int i = 0; i < N + 16; i++) {
+                src[i] = sample[k];
+            }
+            rows[1] = pixels;
+            run_wide_down(plain, rows, N);
+            assert_int_equal(out[7], k == 0 ? 0 : k == 1 ? 1 : 8);
+            wide_weights[0] = 16384;
+            rows[1] = to_bytes[1];
+            run_wide_across(plain, rows, N);
+            run_wide_across_u8(plain, to_bytes, N);
+            assert_int_equal(out[7], k == 0 ? 0 : k == 1 ? 1 : 32);
+            assert_int_equal(bytes[7], k == 3);
+        }
+        for (int i = 0; i < N + 16; i++) {
+            src[i] = 255 * 64;
+        }
+        for (int k = 0; k <= 8; k++) {
+            wide_weights[k] = k < 8 ? 8192 : 4096; /* 2^17 in all */
+        }
+        memset(pixels, 255, N);
+        rows[1] = pixels;
+        run_wide_down(plain, rows, N);
+        assert_int_equal(out[52], 255 * 64);
+        rows[1] = to_bytes[1];
+        run_wide_across(plain, rows, N);
+        run_wide_across_u8(plain, to_bytes, N);
+        assert_int_equal(out[52], 255 * 64);
+        assert_int_equal(bytes[52], 255);
     }
 }
 
@@ -196,7 +252,8 @@ static int truths(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_down),
         cmocka_unit_test(truth_of_across),
-        cmocka_unit_test(truth_of_pairs),
+        cmocka_unit_test(truth_of_wide),
+        cmocka_unit_test(truth_of_wide_rounding),
     };
     return cmocka_run_group_tests_name("kernels of bell", tests, NULL, NULL);
 }

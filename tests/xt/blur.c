@@ -388,9 +388,11 @@ static void wrong_calls_are_refused(void **state)
         assert_int_equal(iris_blur_box(&dst, &src, side, border, &scratch), IRIS_ERR_SCRATCH);
         assert_int_equal(scratch.used, 0);
     }
-    scratch = arena(IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(20, 1, 65536) - 1);
-    assert_int_equal(iris_blur_gaussian(&dst, &src, 65536, border, &scratch), IRIS_ERR_SCRATCH);
-    assert_int_equal(scratch.used, 0);
+    for (iris_q16 sigma = 65536; sigma < 3 * 65536; sigma += 32768) { /* weights in other units above 1.7 */
+        scratch = arena(IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(20, 1, sigma) - 1);
+        assert_int_equal(iris_blur_gaussian(&dst, &src, sigma, border, &scratch), IRIS_ERR_SCRATCH);
+        assert_int_equal(scratch.used, 0);
+    }
     for (size_t i = 0; i < sizeof result; i++) {
         assert_int_equal(result[i], 2);
     }

@@ -26,14 +26,17 @@ extern "C" {
  * sigma 0.5, 5 up to 0.8, 7 up to 1.1. What is cut off weighs about a thousandth. */
 #define IRIS_BLUR_RADIUS(sigma_q16) ((int32_t)((10 * (int64_t)(sigma_q16) + 65535) / 196608))
 
-/* Working memory of iris_blur_gaussian: the rows around a row, one of sums, and the weights. w pixels of 1 or 3
- * channels; sigma_q16 within its limits. */
+/* Working memory of iris_blur_gaussian: the rows around a row, one of sums, the weights, and where rows are when they
+ * are more than 11. w pixels of 1 or 3 channels; sigma_q16 within its limits. */
 #define IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(w, channels, sigma_q16)                                             \
     (IRIS_BORDER_ROWS_BYTES((size_t)(w) * (channels), (size_t)IRIS_BLUR_RADIUS(sigma_q16) * (channels),      \
                             (size_t)IRIS_BLUR_RADIUS(sigma_q16) * (channels), IRIS_BLUR_RADIUS(sigma_q16)) + \
      IRIS_SCRATCH_ROUND(sizeof(int16_t) * (channels) *                                                       \
                         ((size_t)(w) + 2u * (size_t)IRIS_BLUR_RADIUS(sigma_q16))) +                          \
-     IRIS_SCRATCH_ROUND(sizeof(int16_t) * ((size_t)IRIS_BLUR_RADIUS(sigma_q16) + 1u)))
+     IRIS_SCRATCH_ROUND(sizeof(int16_t) * ((size_t)IRIS_BLUR_RADIUS(sigma_q16) + 1u)) +                      \
+     IRIS_SCRATCH_ROUND(sizeof(int32_t) * (IRIS_BLUR_RADIUS(sigma_q16) > 5                                   \
+                                               ? 2u * (size_t)IRIS_BLUR_RADIUS(sigma_q16) + 1u               \
+                                               : 0u)))
 
 /* dst = src weighted by exp(-(x^2 + y^2) / (2 sigma^2)) around each pixel. Of any picture, no pixel is more than 1
  * from the rounded value of the real Gaussian, which reaches without end; an even area stays what it is. sigma_q16 is

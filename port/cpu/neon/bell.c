@@ -63,23 +63,3 @@ void iris_row_bell_across_u8_neon(uint8_t *dst, const int16_t *src, const int16_
         vst1_u8(dst + at, vqrshrun_n_s16(across_8(src + at, weights, radius, step), 6));
     }
 }
-
-void iris_row_pairs_s16_neon(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
-                             int32_t step, int32_t n)
-{
-    int32_t i = 0;
-    for (; i + 8 <= n; i += 8) {
-        const int16_t *at = src + i;
-        int16x8_t pair = vld1q_s16(at);
-        int32x4_t low = vmlal_n_s16(vld1q_s32(sums + i), vget_low_s16(pair), weights[0]);
-        int32x4_t high = vmlal_n_s16(vld1q_s32(sums + i + 4), vget_high_s16(pair), weights[0]);
-        for (int32_t k = 1; k <= radius; k++) {
-            pair = vaddq_s16(vld1q_s16(at - k * step), vld1q_s16(at + k * step));
-            low = vmlal_n_s16(low, vget_low_s16(pair), weights[k]);
-            high = vmlal_n_s16(high, vget_high_s16(pair), weights[k]);
-        }
-        vst1q_s32(sums + i, low);
-        vst1q_s32(sums + i + 4, high);
-    }
-    iris_row_pairs_s16_c(sums + i, src + i, weights, radius, step, n - i);
-}

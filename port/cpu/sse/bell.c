@@ -132,32 +132,3 @@ void iris_row_bell_across_u8_sse(uint8_t *dst, const int16_t *src, const int16_t
         break;
     }
 }
-
-/* Two distances at a time: the pairs of both side by side, times both weights. Distance 0 has one sample. */
-void iris_row_pairs_s16_sse(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
-                            int32_t step, int32_t n)
-{
-    const __m128i zero = _mm_setzero_si128();
-    int32_t i = 0;
-    for (; i + 8 <= n; i += 8) {
-        const int16_t *at = src + i;
-        __m128i low = load16(sums + i), high = load16(sums + i + 4), even = load16(at);
-        for (int32_t k = 0; k <= radius; k += 2) {
-            __m128i odd = zero;
-            uint32_t both = (uint16_t)weights[k];
-            if (k > 0) {
-                even = _mm_add_epi16(load16(at - k * step), load16(at + k * step));
-            }
-            if (k < radius) {
-                odd = _mm_add_epi16(load16(at - (k + 1) * step), load16(at + (k + 1) * step));
-                both |= (uint32_t)(uint16_t)weights[k + 1] << 16;
-            }
-            __m128i weight = _mm_set1_epi32((int32_t)both);
-            low = _mm_add_epi32(low, _mm_madd_epi16(_mm_unpacklo_epi16(even, odd), weight));
-            high = _mm_add_epi32(high, _mm_madd_epi16(_mm_unpackhi_epi16(even, odd), weight));
-        }
-        store16(sums + i, low);
-        store16(sums + i + 4, high);
-    }
-    iris_row_pairs_s16_c(sums + i, src + i, weights, radius, step, n - i);
-}

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 49
+#define IRIS_PORT_OVERRIDES 51
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -140,9 +140,17 @@ void iris_row_sharpen_u8_sse(uint8_t *dst, const uint8_t *src, const uint8_t *bl
                              int32_t n);
 #define iris_row_sharpen_u8 iris_row_sharpen_u8_sse
 
-void iris_row_pairs_s16_sse(int32_t *sums, const int16_t *src, const int16_t *weights, int32_t radius,
-                            int32_t step, int32_t n);
-#define iris_row_pairs_s16 iris_row_pairs_s16_sse
+void iris_row_wide_down_sse(int16_t *dst, const uint8_t *src, const int32_t *at, const int16_t *weights,
+                            int32_t radius, int32_t n);
+#define iris_row_wide_down iris_row_wide_down_sse
+
+void iris_row_wide_across_sse(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                              int32_t step, int32_t n);
+#define iris_row_wide_across iris_row_wide_across_sse
+
+void iris_row_wide_across_u8_sse(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
+                                 int32_t step, int32_t n);
+#define iris_row_wide_across_u8 iris_row_wide_across_u8_sse
 
 void iris_row_taps_u8_sse(int32_t *sums, const iris_row_tap *taps, int32_t count, int32_t n);
 #define iris_row_taps_u8 iris_row_taps_u8_sse
