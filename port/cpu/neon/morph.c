@@ -1,5 +1,5 @@
-/* The largest, the smallest, and differences, sixteen samples at a time. The last sixteen are looked at first: where a
- * row is changed in place, they cannot be looked at again. */
+/* The largest, the smallest, and differences, sixteen samples at a time; joined masks, four words at a time. The last
+ * vector is looked at first: where a row is changed in place, it cannot be looked at again. */
 #include <arm_neon.h>
 
 #include "kernel.h"
@@ -140,44 +140,45 @@ static inline uint32x4_t pixels_of(const uint32_t *words, int32_t shift)
                      vshlq_u32(vld1q_u32(words + 1), vdupq_n_s32(32 - shift)));
 }
 
-/* Pixels around at three places, joined. */
+/* `all` is a constant in the following functions, so that each is compiled for both. */
+static inline uint32x4_t join3(uint32x4_t a, uint32x4_t b, uint32x4_t c, uint32_t all)
+{
+    return all ? vandq_u32(vandq_u32(a, b), c) : vorrq_u32(vorrq_u32(a, b), c);
+}
+
+/* Four words of pixels at three places, joined. */
 typedef struct {
-    const uint32_t *from[3];
-    int32_t shift[3];
-    uint32x4_t turn;
+    const uint32_t *a, *b, *c;
+    int32_t shift_a, shift_b, shift_c;
 } places;
 
-static inline uint32x4_t joined3_at(const places *p, int32_t i)
+static inline uint32x4_t joined3_at(const places *p, uint32_t all, int32_t i)
 {
-    uint32x4_t joined = veorq_u32(pixels_of(p->from[0] + i, p->shift[0]), p->turn);
-    joined = vorrq_u32(joined, veorq_u32(pixels_of(p->from[1] + i, p->shift[1]), p->turn));
-    joined = vorrq_u32(joined, veorq_u32(pixels_of(p->from[2] + i, p->shift[2]), p->turn));
-    return veorq_u32(joined, p->turn);
+    return join3(pixels_of(p->a + i, p->shift_a), pixels_of(p->b + i, p->shift_b),
+                 pixels_of(p->c + i, p->shift_c), all);
+}
+
+static inline void join_places(uint32_t *dst, const places *p, uint32_t all, int32_t words)
+{
+    uint32x4_t last = joined3_at(p, all, words - 4);
+    for (int32_t i = 0; i < words - 4; i += 4) {
+        vst1q_u32(dst + i, joined3_at(p, all, i));
+    }
+    vst1q_u32(dst + words - 4, last);
 }
 
 void iris_row_join3_mask_neon(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                               int32_t words)
 {
+    const places p = {src + (at[0] >> 5), src + (at[1] >> 5), src + (at[2] >> 5),
+                      at[0] & 31,         at[1] & 31,         at[2] & 31};
     if (words < 4) {
         iris_row_join3_mask_c(dst, src, at, all, words);
-        return;
+    } else if (all) {
+        join_places(dst, &p, ~0u, words);
+    } else {
+        join_places(dst, &p, 0, words);
     }
-    places p = {.turn = vdupq_n_u32(all)};
-    for (int k = 0; k < 3; k++) {
-        p.from[k] = src + (at[k] >> 5);
-        p.shift[k] = at[k] & 31;
-    }
-    uint32x4_t last = joined3_at(&p, words - 4);
-    for (int32_t i = 0; i < words - 4; i += 4) {
-        vst1q_u32(dst + i, joined3_at(&p, i));
-    }
-    vst1q_u32(dst + words - 4, last);
-}
-
-/* `all` is a constant in the following functions, so that each is compiled for both. */
-static inline uint32x4_t join3(uint32x4_t a, uint32x4_t b, uint32x4_t c, uint32_t all)
-{
-    return all ? vandq_u32(vandq_u32(a, b), c) : vorrq_u32(vorrq_u32(a, b), c);
 }
 
 static inline uint32x4_t joined_at(const uint32_t *const rows[3], uint32_t all, int32_t i)

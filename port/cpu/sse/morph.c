@@ -1,5 +1,5 @@
-/* The largest, the smallest, and differences, sixteen samples at a time. The last sixteen are looked at first: where a
- * row is changed in place, they cannot be looked at again. */
+/* The largest, the smallest, and differences, sixteen samples at a time; joined masks, four words at a time. The last
+ * vector is looked at first: where a row is changed in place, it cannot be looked at again. */
 #include "vector.h"
 
 static inline __m128i max3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
@@ -136,43 +136,49 @@ static inline __m128i pixels_of(const uint32_t *words, __m128i shift)
     return _mm_or_si128(_mm_srl_epi32(load16(words), shift), _mm_sll_epi32(load16(words + 1), rest));
 }
 
-/* Pixels around at three places, joined. */
+/* `all` is a constant in the following functions, so that each is compiled for both. */
+static inline __m128i join3(__m128i a, __m128i b, __m128i c, uint32_t all)
+{
+    return all ? _mm_and_si128(_mm_and_si128(a, b), c) : _mm_or_si128(_mm_or_si128(a, b), c);
+}
+
+/* Four words of pixels at three places, joined. */
 typedef struct {
-    const uint32_t *from[3];
-    __m128i shift[3], turn;
+    const uint32_t *a, *b, *c;
+    __m128i shift_a, shift_b, shift_c;
 } places;
 
-static inline __m128i joined3_at(const places *p, int32_t i)
+static inline __m128i joined3_at(const places *p, uint32_t all, int32_t i)
 {
-    __m128i joined = _mm_xor_si128(pixels_of(p->from[0] + i, p->shift[0]), p->turn);
-    joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(p->from[1] + i, p->shift[1]), p->turn));
-    joined = _mm_or_si128(joined, _mm_xor_si128(pixels_of(p->from[2] + i, p->shift[2]), p->turn));
-    return _mm_xor_si128(joined, p->turn);
+    return join3(pixels_of(p->a + i, p->shift_a), pixels_of(p->b + i, p->shift_b),
+                 pixels_of(p->c + i, p->shift_c), all);
+}
+
+static inline void join_places(uint32_t *dst, const places *p, uint32_t all, int32_t words)
+{
+    __m128i last = joined3_at(p, all, words - 4);
+    for (int32_t i = 0; i < words - 4; i += 4) {
+        store16(dst + i, joined3_at(p, all, i));
+    }
+    store16(dst + words - 4, last);
 }
 
 void iris_row_join3_mask_sse(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                              int32_t words)
 {
+    const places p = {src + (at[0] >> 5),
+                      src + (at[1] >> 5),
+                      src + (at[2] >> 5),
+                      _mm_cvtsi32_si128(at[0] & 31),
+                      _mm_cvtsi32_si128(at[1] & 31),
+                      _mm_cvtsi32_si128(at[2] & 31)};
     if (words < 4) {
         iris_row_join3_mask_c(dst, src, at, all, words);
-        return;
+    } else if (all) {
+        join_places(dst, &p, ~0u, words);
+    } else {
+        join_places(dst, &p, 0, words);
     }
-    places p = {.turn = _mm_set1_epi32((int)all)};
-    for (int k = 0; k < 3; k++) {
-        p.from[k] = src + (at[k] >> 5);
-        p.shift[k] = _mm_cvtsi32_si128(at[k] & 31);
-    }
-    __m128i last = joined3_at(&p, words - 4);
-    for (int32_t i = 0; i < words - 4; i += 4) {
-        store16(dst + i, joined3_at(&p, i));
-    }
-    store16(dst + words - 4, last);
-}
-
-/* `all` is a constant in the following functions, so that each is compiled for both. */
-static inline __m128i join3(__m128i a, __m128i b, __m128i c, uint32_t all)
-{
-    return all ? _mm_and_si128(_mm_and_si128(a, b), c) : _mm_or_si128(_mm_or_si128(a, b), c);
 }
 
 static inline __m128i joined_at(const uint32_t *const rows[3], uint32_t all, int32_t i)
