@@ -38,19 +38,26 @@ static inline void sort5(median_value v[5])
     sort2(&v[1], &v[2]);
 }
 
-/* Of three columns. Each is sorted from above to below first: then the median is that of the greatest of the lows, the
- * median of the middles, and the least of the highs. */
-static inline median_value median9(median_value a[3], median_value b[3], median_value c[3])
+/* Of three columns that are sorted from above to below: the median of the greatest of the lows, the median of the middles,
+ * and the least of the highs. */
+static inline median_value median9_sorted(const median_value a[3], const median_value b[3],
+                                          const median_value c[3])
 {
-    sort3(a);
-    sort3(b);
-    sort3(c);
     median_value middles[3] = {a[1], b[1], c[1]};
     sort3(middles);
     median_value three[3] = {median_greatest(median_greatest(a[0], b[0]), c[0]), middles[1],
                              median_least(median_least(a[2], b[2]), c[2])};
     sort3(three);
     return three[1];
+}
+
+/* Of three columns, which are sorted first. */
+static inline median_value median9(median_value a[3], median_value b[3], median_value c[3])
+{
+    sort3(a);
+    sort3(b);
+    sort3(c);
+    return median9_sorted(a, b, c);
 }
 
 /* Of five columns that are sorted from above to below: rank[r] are their values of rank r. With each rank sorted too,

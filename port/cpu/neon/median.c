@@ -26,13 +26,62 @@ static inline median_value median9_at(const uint8_t *const rows[3], int32_t step
     return median9(left, center, right);
 }
 
+/* Sixteen columns of three samples, sorted from above to below. */
+typedef struct {
+    median_value rank[3];
+} columns_16;
+
+static inline columns_16 sorted_at(const uint8_t *const rows[3], int32_t i)
+{
+    columns_16 sorted = {{vld1q_u8(rows[0] + i), vld1q_u8(rows[1] + i), vld1q_u8(rows[2] + i)}};
+    sort3(sorted.rank);
+    return sorted;
+}
+
+/* The last `step` samples of one, and the first of the other; and the other way round. */
+static inline median_value from_left(median_value before, median_value here, int32_t step)
+{
+    return step == 1 ? vextq_u8(before, here, 15) : vextq_u8(before, here, 13);
+}
+
+static inline median_value from_right(median_value here, median_value after, int32_t step)
+{
+    return step == 1 ? vextq_u8(here, after, 1) : vextq_u8(here, after, 3);
+}
+
+/* Each column is sorted once, and moved to where its neighbors need it. Returns how far that went: the sixteen columns
+ * behind must be readable too. */
+static inline int32_t medians(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    const median_value zero = vdupq_n_u8(0);
+    columns_16 before = sorted_at(rows, -step), here = sorted_at(rows, 0);
+#pragma GCC unroll 3
+    for (int r = 0; r < 3; r++) { /* its first columns are wanted last */
+        before.rank[r] = step == 1 ? vextq_u8(zero, before.rank[r], 1) : vextq_u8(zero, before.rank[r], 3);
+    }
+    int32_t i = 0;
+    for (; i + 32 <= n + step; i += 16) {
+        columns_16 after = sorted_at(rows, i + 16);
+        median_value left[3], right[3];
+#pragma GCC unroll 3
+        for (int r = 0; r < 3; r++) {
+            left[r] = from_left(before.rank[r], here.rank[r], step);
+            right[r] = from_right(here.rank[r], after.rank[r], step);
+        }
+        vst1q_u8(dst + i, median9_sorted(left, here.rank, right));
+        before = here;
+        here = after;
+    }
+    return i;
+}
+
 void iris_row_median9_u8_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
     if (n < 16) {
         iris_row_median9_u8_c(dst, rows, step, n);
         return;
     }
-    for (int32_t i = 0; i < n; i += 16) {
+    for (int32_t i = step == 1 ? medians(dst, rows, 1, n) : medians(dst, rows, 3, n); i < n; i += 16) {
         int32_t at = i < n - 16 ? i : n - 16;
         vst1q_u8(dst + at, median9_at(rows, step, at));
     }

@@ -1,6 +1,8 @@
 /* Medians of rows, sixteen samples at a time. The last ones of a row come again, where it is no multiple of sixteen. */
 #include "vector.h"
 
+#define INLINE static inline __attribute__((always_inline))
+
 typedef __m128i median_value;
 
 static inline median_value median_least(median_value a, median_value b)
@@ -24,13 +26,50 @@ static inline median_value median9_at(const uint8_t *const rows[3], int32_t step
     return median9(left, center, right);
 }
 
+/* Sixteen columns of three samples, sorted from above to below. */
+typedef struct {
+    median_value rank[3];
+} columns_16;
+
+static inline columns_16 sorted_at(const uint8_t *const rows[3], int32_t i)
+{
+    columns_16 sorted = {{load16(rows[0] + i), load16(rows[1] + i), load16(rows[2] + i)}};
+    sort3(sorted.rank);
+    return sorted;
+}
+
+/* Each column is sorted once, and moved to where its neighbors need it. Returns how far that went: the sixteen columns
+ * behind must be readable too. */
+INLINE int32_t medians(uint8_t *dst, const uint8_t *const rows[3], const int32_t step, int32_t n)
+{
+    columns_16 before = sorted_at(rows, -step), here = sorted_at(rows, 0);
+#pragma GCC unroll 3
+    for (int r = 0; r < 3; r++) { /* its first columns are wanted last */
+        before.rank[r] = _mm_slli_si128(before.rank[r], 16 - step);
+    }
+    int32_t i = 0;
+    for (; i + 32 <= n + step; i += 16) {
+        columns_16 after = sorted_at(rows, i + 16);
+        median_value left[3], right[3];
+#pragma GCC unroll 3
+        for (int r = 0; r < 3; r++) {
+            left[r] = _mm_alignr_epi8(here.rank[r], before.rank[r], 16 - step);
+            right[r] = _mm_alignr_epi8(after.rank[r], here.rank[r], step);
+        }
+        store16(dst + i, median9_sorted(left, here.rank, right));
+        before = here;
+        here = after;
+    }
+    return i;
+}
+
 void iris_row_median9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
     if (n < 16) {
         iris_row_median9_u8_c(dst, rows, step, n);
         return;
     }
-    for (int32_t i = 0; i < n; i += 16) {
+    for (int32_t i = step == 1 ? medians(dst, rows, 1, n) : medians(dst, rows, 3, n); i < n; i += 16) {
         int32_t at = i < n - 16 ? i : n - 16;
         store16(dst + at, median9_at(rows, step, at));
     }
