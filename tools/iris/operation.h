@@ -1,5 +1,5 @@
 /* A picture operation: what one command does to a picture, and what one stage of `iris pipe` does. A new one is a file
- * cmd_<name>.c that defines `const operation operation_<name>`, its line in commands.h, and its line in operations.c.
+ * cmd_<name>.c that defines `const operation operation_<name>` and its line in operations.def.
  *
  * Inputs come as IRIS_GRAY8, IRIS_RGB888, or IRIS_MASK1 (1-bit files, and masks made by the stage before), results are
  * one of these. --roi, --border, -o, and --json are read here, and all but --border done.
