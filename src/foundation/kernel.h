@@ -71,6 +71,12 @@ typedef struct {
     int shift, absolute;
 } iris_row_quotient;
 
+/* A line of weights, for samples `step` apart. */
+typedef struct {
+    const int32_t *weights;
+    int32_t count, step;
+} iris_row_line;
+
 #include "iris_port.h"
 
 /* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
@@ -420,6 +426,13 @@ void iris_row_taps_s32_c(int32_t *sums, const int32_t *src, const int32_t *weigh
                          int32_t step, int32_t n);
 #ifndef iris_row_taps_s32
 #define iris_row_taps_s32 iris_row_taps_s32_c
+#endif
+
+/* dst = the quotient of such sums, which begin as quotient->start. */
+void iris_row_filter_s32_c(uint8_t *dst, const int32_t *src, const iris_row_line *line,
+                           const iris_row_quotient *quotient, int32_t n);
+#ifndef iris_row_filter_s32
+#define iris_row_filter_s32 iris_row_filter_s32_c
 #endif
 
 #endif

@@ -53,3 +53,17 @@ void iris_row_filter_u8_c(uint8_t *dst, const iris_row_tap *taps, int32_t count,
         iris_row_settle_u8_c(dst + from, sums, quotient, some);
     }
 }
+
+void iris_row_filter_s32_c(uint8_t *dst, const int32_t *src, const iris_row_line *line,
+                           const iris_row_quotient *quotient, int32_t n)
+{
+    int32_t sums[TILE];
+    for (int32_t from = 0; from < n; from += TILE) {
+        int32_t some = n - from < TILE ? n - from : TILE;
+        for (int32_t i = 0; i < some; i++) {
+            sums[i] = quotient->start;
+        }
+        iris_row_taps_s32_c(sums, src + from, line->weights, line->count, line->step, some);
+        iris_row_settle_u8_c(dst + from, sums, quotient, some);
+    }
+}

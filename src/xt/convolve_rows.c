@@ -1,5 +1,7 @@
 #include "convolve_rows.h"
 
+#include <string.h>
+
 #define TILE 64 /* samples that are settled at a time */
 
 /* n / divisor, rounded down, of either sign. A divisor that is a power of two is a shift, by 31 less than that of the
@@ -79,13 +81,17 @@ static int32_t next_taps(iris_row_tap taps[IRIS_ROW_TAPS], const iris_convolutio
     return count;
 }
 
+static int makes_bytes(const iris_convolution *work)
+{
+    return work->dst->format != IRIS_GRAY_S16 && work->dst->format != IRIS_HSL24;
+}
+
 static void row_whole(const iris_convolution *work, int32_t first, int32_t end)
 {
     iris_row_tap taps[IRIS_ROW_TAPS];
     place at = {0, 0};
     int32_t count = next_taps(taps, work, &at, first);
-    int to_bytes = work->dst->format != IRIS_GRAY_S16 && work->dst->format != IRIS_HSL24;
-    if (to_bytes && count > 0 && at.row == work->h) {
+    if (makes_bytes(work) && count > 0 && at.row == work->h) {
         uint8_t *dst = (uint8_t *)iris_image_row(work->dst, work->rows.y);
         iris_row_filter_u8(dst + first, taps, count, &work->quotient, end - first);
         return;
@@ -110,8 +116,14 @@ static void row_in_two_passes(const iris_convolution *work, int32_t first, int32
                                      work->down[r]};
         count += work->down[r] != 0;
     }
-    start(work->middle + first - left, 0, end - first + left + right);
+    memset(work->middle + first - left, 0, sizeof(int32_t) * (size_t)(end - first + left + right));
     iris_row_taps_u8(work->middle + first - left, taps, count, end - first + left + right);
+    if (makes_bytes(work)) {
+        iris_row_line across = {work->across, work->w, channels};
+        uint8_t *dst = (uint8_t *)iris_image_row(work->dst, work->rows.y);
+        iris_row_filter_s32(dst + first, work->middle + first - left, &across, &work->quotient, end - first);
+        return;
+    }
     for (int32_t from = first; from < end; from += TILE) {
         int32_t n = tile(from, end);
         start(sums, work->quotient.start, n);

@@ -106,6 +106,12 @@ static void run_taps_s32(int plain, uint8_t **rows, int32_t n)
     ((int32_t *)(void *)rows[0], (int32_t *)(void *)rows[1], weights, count, step, n);
 }
 
+static void run_filter_s32(int plain, uint8_t **rows, int32_t n)
+{
+    iris_row_line line = {weights, count, step};
+    BODY(plain, iris_row_filter_s32)(rows[0], (int32_t *)(void *)rows[1], &line, &quotient, n);
+}
+
 #define NINE ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8
 
 static const kernel_case cases[] = {
@@ -116,6 +122,7 @@ static const kernel_case cases[] = {
      run_taps_s32,
      choose,
      {ROW(1, 4, 4, fill_sums), ROW_MORE(1, 4, 4, fill_small, more_taps)}},
+    {KERNEL(iris_row_filter_s32), run_filter_s32, choose, {ROW_U8, ROW_MORE(1, 4, 4, fill_small, more_taps)}},
 };
 
 /* ---- truths ---- */
@@ -176,6 +183,35 @@ static void truth_of_filter(void **state)
     }
 }
 
+/* The same across a row of 10, 10, 10, 21, 21, 21, three samples apart. */
+static void truth_of_filter_s32(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        uint8_t out[N], *rows[2] = {out, NULL};
+        int32_t from[N + 3];
+        rows[1] = (uint8_t *)from;
+        for (int i = 0; i < N + 3; i++) {
+            from[i] = i % 6 < 3 ? 10 : 21;
+        }
+        count = 2;
+        step = 3;
+        weights[0] = 1;
+        for (int absolute = 0; absolute < 2; absolute++) {
+            quotient = (iris_row_quotient){2, 4, (uint32_t)1 << 31, 33, absolute};
+            for (int sign = -1; sign <= 1; sign += 2) {
+                weights[1] = 3 * sign;
+                run_filter_s32(plain, rows, N);
+                for (int i = 0; i < N; i++) { /* 10 and 21; 21 and 10: 12.75 and -2.25 */
+                    int first = sign > 0 ? 18 : absolute ? 13 : 0, second = sign > 0 ? 13 : absolute ? 2 : 0;
+                    assert_int_equal(out[i], i % 6 < 3 ? first : second);
+                }
+            }
+        }
+    }
+}
+
 static void truth_of_settle(void **state)
 {
     (void)state;
@@ -204,6 +240,7 @@ static int truths(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_taps),
         cmocka_unit_test(truth_of_filter),
+        cmocka_unit_test(truth_of_filter_s32),
         cmocka_unit_test(truth_of_settle),
     };
     return cmocka_run_group_tests_name("kernels of taps", tests, NULL, NULL);

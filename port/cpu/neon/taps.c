@@ -112,3 +112,23 @@ void iris_row_filter_u8_neon(uint8_t *dst, const iris_row_tap *taps, int32_t cou
         vst1_u8(dst + at, settle_8(add_all(start, taps, count, at), quotient, by_shift));
     }
 }
+
+void iris_row_filter_s32_neon(uint8_t *dst, const int32_t *src, const iris_row_line *line,
+                              const iris_row_quotient *quotient, int32_t n)
+{
+    if (n < 8) {
+        iris_row_filter_s32_c(dst, src, line, quotient, n);
+        return;
+    }
+    int by_shift = is_power(quotient->divisor);
+    for (int32_t i = 0; i < n; i += 8) {
+        int32_t from = i < n - 8 ? i : n - 8;
+        const int32_t *at = src + from;
+        int32x4x2_t all = {{vdupq_n_s32(quotient->start), vdupq_n_s32(quotient->start)}};
+        for (int32_t k = 0; k < line->count; k++, at += line->step) {
+            all.val[0] = vmlaq_n_s32(all.val[0], vld1q_s32(at), line->weights[k]);
+            all.val[1] = vmlaq_n_s32(all.val[1], vld1q_s32(at + 4), line->weights[k]);
+        }
+        vst1_u8(dst + from, settle_8(all, quotient, by_shift));
+    }
+}

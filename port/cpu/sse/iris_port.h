@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 51
+#define IRIS_PORT_OVERRIDES 52
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -165,6 +165,10 @@ void iris_row_settle_u8_sse(uint8_t *dst, const int32_t *sums, const iris_row_qu
 void iris_row_taps_s32_sse(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
                            int32_t step, int32_t n);
 #define iris_row_taps_s32 iris_row_taps_s32_sse
+
+void iris_row_filter_s32_sse(uint8_t *dst, const int32_t *src, const iris_row_line *line,
+                             const iris_row_quotient *quotient, int32_t n);
+#define iris_row_filter_s32 iris_row_filter_s32_sse
 
 void iris_row_laplacian_u8_sse(int16_t *dst, const uint8_t *const rows[3], int32_t n);
 #define iris_row_laplacian_u8 iris_row_laplacian_u8_sse

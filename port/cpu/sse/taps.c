@@ -289,3 +289,28 @@ void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t coun
         store16(dst + at, settle_16(all, &by, quotient->absolute));
     }
 }
+
+/* The last pixels of a row come again, where it is no multiple of 16. */
+void iris_row_filter_s32_sse(uint8_t *dst, const int32_t *src, const iris_row_line *line,
+                             const iris_row_quotient *quotient, int32_t n)
+{
+    if (n < 16) {
+        iris_row_filter_s32_c(dst, src, line, quotient, n);
+        return;
+    }
+    const division by = make_division(quotient);
+    const __m128i start = _mm_set1_epi32(quotient->start);
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t from = i < n - 16 ? i : n - 16;
+        const int32_t *at = src + from;
+        __m128i all[4] = {start, start, start, start};
+        for (int32_t k = 0; k < line->count; k++, at += line->step) {
+            __m128i weight = _mm_set1_epi32(line->weights[k]);
+#pragma GCC unroll 4
+            for (int v = 0; v < 4; v++) {
+                all[v] = _mm_add_epi32(all[v], _mm_mullo_epi32(load16(at + 4 * v), weight));
+            }
+        }
+        store16(dst + from, settle_16(all, &by, quotient->absolute));
+    }
+}
