@@ -43,6 +43,7 @@ int main(int argc, char **argv)
     score_drive(&s);
     score_hsl(&s);
     score_tone(&s);
+    score_blur(&s);
     score_bmp(&s);
     score_skeleton(&s);
     score_quadtree(&s);

@@ -32,6 +32,7 @@ void score_drive(score *s);
 void score_hsl(score *s);
 void score_tone(score *s);
 void score_bmp(score *s);
+void score_blur(score *s);
 void score_skeleton(score *s);
 void score_quadtree(score *s);
 void score_edges(score *s);
