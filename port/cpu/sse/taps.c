@@ -275,6 +275,8 @@ void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t coun
     if (fits_narrow(&plan, quotient)) {
         if (plan.pairs == 5) { /* 3x3 */
             filter_narrow(dst, &plan, quotient, 5, n);
+        } else if (plan.pairs == 3) { /* a cross */
+            filter_narrow(dst, &plan, quotient, 3, n);
         } else {
             filter_narrow(dst, &plan, quotient, plan.pairs, n);
         }
