@@ -15,14 +15,28 @@ static inline median_value median_greatest(median_value a, median_value b)
 
 #include "kernel_median.h"
 
+static inline void sorted_column(median_value v[3], const uint8_t *const rows[3], int32_t i)
+{
+    v[0] = rows[0][i];
+    v[1] = rows[1][i];
+    v[2] = rows[2][i];
+    sort3(v);
+}
+
+/* Channel by channel: each column is read and sorted once. */
 void iris_row_median9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    for (int32_t i = 0; i < n; i++) {
-        const uint8_t *above = rows[0] + i, *here = rows[1] + i, *below = rows[2] + i;
-        median_value left[3] = {above[-step], here[-step], below[-step]};
-        median_value center[3] = {above[0], here[0], below[0]};
-        median_value right[3] = {above[step], here[step], below[step]};
-        dst[i] = (uint8_t)median9(left, center, right);
+    const uint8_t *const around[3] = {rows[0], rows[1], rows[2]};
+    for (int32_t c = 0; c < step && c < n; c++) {
+        median_value left[3], here[3], right[3];
+        sorted_column(left, around, c - step);
+        sorted_column(here, around, c);
+        for (int32_t i = c; i < n; i += step) {
+            sorted_column(right, around, i + step);
+            dst[i] = (uint8_t)median9_sorted(left, here, right);
+            left[0] = here[0], left[1] = here[1], left[2] = here[2];
+            here[0] = right[0], here[1] = right[1], here[2] = right[2];
+        }
     }
 }
 

@@ -31,10 +31,11 @@ static uint8_t least_at(const uint8_t *const rows[3], int32_t i)
 
 void iris_row_max9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
+    const uint8_t *const around[3] = {rows[0], rows[1], rows[2]};
     for (int32_t c = 0; c < step && c < n; c++) {
-        uint8_t left = most_at(rows, c - step), here = most_at(rows, c);
+        uint8_t left = most_at(around, c - step), here = most_at(around, c);
         for (int32_t i = c; i < n; i += step) {
-            uint8_t right = most_at(rows, i + step), most = left > here ? left : here;
+            uint8_t right = most_at(around, i + step), most = left > here ? left : here;
             dst[i] = most > right ? most : right;
             left = here;
             here = right;
@@ -44,10 +45,11 @@ void iris_row_max9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step
 
 void iris_row_min9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
+    const uint8_t *const around[3] = {rows[0], rows[1], rows[2]};
     for (int32_t c = 0; c < step && c < n; c++) {
-        uint8_t left = least_at(rows, c - step), here = least_at(rows, c);
+        uint8_t left = least_at(around, c - step), here = least_at(around, c);
         for (int32_t i = c; i < n; i += step) {
-            uint8_t right = least_at(rows, i + step), least = left < here ? left : here;
+            uint8_t right = least_at(around, i + step), least = left < here ? left : here;
             dst[i] = least < right ? least : right;
             left = here;
             here = right;
