@@ -68,40 +68,71 @@ void iris_row_bell_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *
     }
 }
 
+/* Wide sums round once, at their end. */
+
 void iris_row_wide_down_c(int16_t *dst, const uint8_t *src, const int32_t *at, const int16_t *weights,
                           int32_t radius, int32_t n)
 {
-    for (int32_t i = 0; i < n; i++, src++) {
-        int32_t sum = (1 << 10) + src[at[radius]] * weights[0];
-        for (int32_t k = 1; k <= radius; k++) {
-            sum += (src[at[radius - k]] + src[at[radius + k]]) * weights[k];
+    int32_t sums[TILE];
+    for (int32_t from = 0; from < n; from += TILE, src += TILE) {
+        int32_t some = n - from < TILE ? n - from : TILE;
+        const uint8_t *here = src + at[radius];
+        for (int32_t i = 0; i < some; i++) {
+            sums[i] = (1 << 10) + here[i] * weights[0];
         }
-        dst[i] = (int16_t)(sum >> 11);
+        for (int32_t k = 1; k <= radius; k += 2) {
+            int32_t far = k < radius ? k + 1 : k, weight = weights[k], outer = k < radius ? weights[far] : 0;
+            const uint8_t *above = src + at[radius - k], *below = src + at[radius + k];
+            const uint8_t *top = src + at[radius - far], *bottom = src + at[radius + far];
+            for (int32_t i = 0; i < some; i++) {
+                sums[i] += (above[i] + below[i]) * weight + (top[i] + bottom[i]) * outer;
+            }
+        }
+        for (int32_t i = 0; i < some; i++) {
+            dst[from + i] = (int16_t)(sums[i] >> 11);
+        }
     }
 }
 
 /* At most 255 * 2^23. */
-static inline int32_t wide_at(const int16_t *src, const int16_t *weights, int32_t radius, int32_t step)
+static void wide_sums(int32_t sums[TILE], const int16_t *src, const int16_t *weights, int32_t radius,
+                      int32_t step, int32_t n)
 {
-    int32_t sum = src[0] * weights[0];
-    for (int32_t k = 1; k <= radius; k++) {
-        sum += (src[-k * step] + src[k * step]) * weights[k];
+    for (int32_t i = 0; i < n; i++) {
+        sums[i] = src[i] * weights[0];
     }
-    return sum;
+    for (int32_t k = 1; k <= radius; k += 2) {
+        int32_t far = k < radius ? k + 1 : k, weight = weights[k], outer = k < radius ? weights[far] : 0;
+        const int16_t *left = src - k * step, *right = src + k * step;
+        const int16_t *first = src - far * step, *last = src + far * step;
+        for (int32_t i = 0; i < n; i++) {
+            sums[i] += (left[i] + right[i]) * weight + (first[i] + last[i]) * outer;
+        }
+    }
 }
 
 void iris_row_wide_across_c(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                             int32_t step, int32_t n)
 {
-    for (int32_t i = 0; i < n; i++) {
-        dst[i] = (int16_t)((wide_at(src + i, weights, radius, step) + (1 << 16)) >> 17);
+    int32_t sums[TILE];
+    for (int32_t from = 0; from < n; from += TILE) {
+        int32_t some = n - from < TILE ? n - from : TILE;
+        wide_sums(sums, src + from, weights, radius, step, some);
+        for (int32_t i = 0; i < some; i++) {
+            dst[from + i] = (int16_t)((sums[i] + (1 << 16)) >> 17);
+        }
     }
 }
 
 void iris_row_wide_across_u8_c(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                                int32_t step, int32_t n)
 {
-    for (int32_t i = 0; i < n; i++) {
-        dst[i] = (uint8_t)((wide_at(src + i, weights, radius, step) + (1 << 22)) >> 23);
+    int32_t sums[TILE];
+    for (int32_t from = 0; from < n; from += TILE) {
+        int32_t some = n - from < TILE ? n - from : TILE;
+        wide_sums(sums, src + from, weights, radius, step, some);
+        for (int32_t i = 0; i < some; i++) {
+            dst[from + i] = (uint8_t)((sums[i] + (1 << 22)) >> 23);
+        }
     }
 }
