@@ -38,14 +38,25 @@ static inline columns_16 sorted_at(const uint8_t *const rows[3], int32_t i)
     return sorted;
 }
 
+/* The sixteen samples that begin `step` in front of those here, and behind: 1 or 3, a constant of each instruction. */
+static inline median_value left_of(median_value here, median_value before, int32_t step)
+{
+    return step == 1 ? _mm_alignr_epi8(here, before, 15) : _mm_alignr_epi8(here, before, 13);
+}
+
+static inline median_value right_of(median_value here, median_value after, int32_t step)
+{
+    return step == 1 ? _mm_alignr_epi8(after, here, 1) : _mm_alignr_epi8(after, here, 3);
+}
+
 /* Each column is sorted once, and moved to where its neighbors need it. Returns how far that went: the sixteen columns
  * behind must be readable too. */
-INLINE int32_t medians(uint8_t *dst, const uint8_t *const rows[3], const int32_t step, int32_t n)
+INLINE int32_t medians(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
     columns_16 before = sorted_at(rows, -step), here = sorted_at(rows, 0);
 #pragma GCC unroll 3
     for (int r = 0; r < 3; r++) { /* its first columns are wanted last */
-        before.rank[r] = _mm_slli_si128(before.rank[r], 16 - step);
+        before.rank[r] = right_of(_mm_setzero_si128(), before.rank[r], step);
     }
     int32_t i = 0;
     for (; i + 32 <= n + step; i += 16) {
@@ -53,8 +64,8 @@ INLINE int32_t medians(uint8_t *dst, const uint8_t *const rows[3], const int32_t
         median_value left[3], right[3];
 #pragma GCC unroll 3
         for (int r = 0; r < 3; r++) {
-            left[r] = _mm_alignr_epi8(here.rank[r], before.rank[r], 16 - step);
-            right[r] = _mm_alignr_epi8(after.rank[r], here.rank[r], step);
+            left[r] = left_of(here.rank[r], before.rank[r], step);
+            right[r] = right_of(here.rank[r], after.rank[r], step);
         }
         store16(dst + i, median9_sorted(left, here.rank, right));
         before = here;
