@@ -2,6 +2,7 @@
 
 #include "iris/border.h"
 #include "kernel.h"
+#include "views.h"
 
 /* Pixels of gray that go through RGB on the stack at a time. */
 #define PIECE 240
@@ -45,16 +46,6 @@ static void color_pixels(uint8_t *dst, const mosaic *m, int32_t x, int32_t end)
     }
 }
 
-static int is_bayer(iris_format format)
-{
-    return format >= IRIS_BAYER8_RGGB && format <= IRIS_BAYER8_BGGR;
-}
-
-static int is_target(iris_format format)
-{
-    return format == IRIS_RGB888 || format == IRIS_BGR888 || format == IRIS_GRAY8;
-}
-
 /* Arguments checked. */
 static void convert_row(uint8_t *dst, iris_format dst_format, const uint8_t *const rows[3], iris_format order,
                         int32_t n)
@@ -81,7 +72,7 @@ iris_status iris_bayer_row(uint8_t *dst, iris_format dst_format, const uint8_t *
     if (!dst || !rows || !rows[0] || !rows[1] || !rows[2]) {
         return IRIS_ERR_ARG;
     }
-    if (!is_target(dst_format) || !is_bayer(order)) {
+    if (!iris_format_is_levels(dst_format) || !iris_format_is_bayer(order)) {
         return IRIS_ERR_FORMAT;
     }
     size_t bytes = iris_format_row_bytes(dst_format, n);
@@ -103,7 +94,7 @@ iris_status iris_bayer_convert(const iris_image *dst, const iris_image *src)
     if (iris_image_check(dst) != IRIS_OK || iris_image_check(src) != IRIS_OK) {
         return IRIS_ERR_ARG;
     }
-    if (!is_target(dst->format) || !is_bayer(src->format)) {
+    if (!iris_format_is_levels(dst->format) || !iris_format_is_bayer(src->format)) {
         return IRIS_ERR_FORMAT;
     }
     if (dst->w != src->w || dst->h != src->h) {

@@ -117,18 +117,14 @@ static int32_t clipped(int32_t *from, int32_t at, int32_t length, int32_t limit)
     return end > first ? (int32_t)(end - first) : 0;
 }
 
-static int is_bayer(iris_format format)
-{
-    return format >= IRIS_BAYER8_RGGB && format <= IRIS_BAYER8_BGGR;
-}
-
 iris_status iris_paste(const iris_image *dst, const iris_image *src, int32_t x, int32_t y)
 {
     iris_status status = check_both(dst, src);
     if (status != IRIS_OK) {
         return status;
     }
-    if (dst->format != src->format && !(is_bayer(dst->format) && is_bayer(src->format))) {
+    if (dst->format != src->format &&
+        !(iris_format_is_bayer(dst->format) && iris_format_is_bayer(src->format))) {
         return IRIS_ERR_FORMAT;
     }
     if ((dst->format == IRIS_YUYV || dst->format == IRIS_UYVY) && x % 2 != 0) {

@@ -19,11 +19,6 @@ static void convert_row(uint8_t *dst, iris_format format, const uint8_t *luma, c
     }
 }
 
-static int is_target(iris_format format)
-{
-    return format == IRIS_RGB888 || format == IRIS_BGR888 || format == IRIS_GRAY8;
-}
-
 static int rows_overlap(const uint8_t *a, size_t a_bytes, const uint8_t *b, size_t b_bytes)
 {
     return (uintptr_t)a < (uintptr_t)b + b_bytes && (uintptr_t)b < (uintptr_t)a + a_bytes;
@@ -46,7 +41,7 @@ iris_status iris_nv12_row(uint8_t *dst, iris_format dst_format, const uint8_t *l
     if (!dst || !luma || !chroma) {
         return IRIS_ERR_ARG;
     }
-    if (!is_target(dst_format)) {
+    if (!iris_format_is_levels(dst_format)) {
         return IRIS_ERR_FORMAT;
     }
     size_t dst_bytes = iris_format_row_bytes(dst_format, n);
@@ -71,7 +66,7 @@ iris_status iris_nv12_convert(const iris_image *dst, const iris_image *luma, con
     if (status != IRIS_OK) {
         return status;
     }
-    if (!is_target(dst->format)) {
+    if (!iris_format_is_levels(dst->format)) {
         return IRIS_ERR_FORMAT;
     }
     if (dst->w != luma->w || dst->h != luma->h) {

@@ -2,6 +2,7 @@
 
 #include "kernel.h"
 #include "rows.h"
+#include "views.h"
 
 /* The rows around a row, and their weighed sums with what lies beyond the edges. */
 typedef struct {
@@ -34,8 +35,7 @@ static iris_status check(const iris_image *dst, const iris_image *src, iris_bord
         (unsigned)rule > IRIS_BORDER_SKIP) {
         return IRIS_ERR_ARG;
     }
-    if (dst->format != src->format ||
-        (src->format != IRIS_GRAY8 && src->format != IRIS_RGB888 && src->format != IRIS_BGR888)) {
+    if (dst->format != src->format || !iris_format_is_levels(src->format)) {
         return IRIS_ERR_FORMAT;
     }
     return iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;
@@ -112,7 +112,7 @@ iris_status iris_pyramid_wrap(iris_pyramid *pyramid, const iris_image *src, int3
     if (!pyramid || iris_image_check(src) != IRIS_OK || (levels > 1 && !memory)) {
         return IRIS_ERR_ARG;
     }
-    if (src->format != IRIS_GRAY8 && src->format != IRIS_RGB888 && src->format != IRIS_BGR888) {
+    if (!iris_format_is_levels(src->format)) {
         return IRIS_ERR_FORMAT;
     }
     const size_t channels = src->format == IRIS_GRAY8 ? 1 : 3;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "mean.h"
+#include "views.h"
 
 /* Sides of up to 32767 pixels are halved at most 15 times; each time up to three blocks wait for the first. */
 #define DEPTH_MAX 15
@@ -129,11 +130,6 @@ static int32_t walk(iris_quadtree *tree, const iris_image *image, int32_t tolera
     return leaves;
 }
 
-static bool is_known(iris_format format)
-{
-    return format == IRIS_GRAY8 || format == IRIS_RGB888 || format == IRIS_BGR888;
-}
-
 iris_status iris_quadtree_segment(iris_quadtree *tree, const iris_image *image,
                                   const iris_quadtree_config *config)
 {
@@ -145,7 +141,7 @@ iris_status iris_quadtree_segment(iris_quadtree *tree, const iris_image *image,
         return IRIS_ERR_ARG;
     }
     iris_status status = iris_image_check(image);
-    if (status != IRIS_OK || !is_known(image->format)) {
+    if (status != IRIS_OK || !iris_format_is_levels(image->format)) {
         return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
     }
     tree->wanted = walk(tree, image, by.tolerance, by.least_side, INT32_MAX);
@@ -181,7 +177,7 @@ iris_status iris_quadtree_check(const iris_quadtree *tree)
     if (!tree || !tree->leaves || tree->count < 1) {
         return IRIS_ERR_ARG;
     }
-    if (!is_known(tree->format)) {
+    if (!iris_format_is_levels(tree->format)) {
         return IRIS_ERR_FORMAT;
     }
     iris_size size = tree->size;
@@ -209,7 +205,7 @@ iris_status iris_quadtree_means(const iris_image *dst, const iris_quadtree *tree
     if (status != IRIS_OK) {
         return status;
     }
-    if (!is_known(dst->format) || (dst->format == IRIS_GRAY8 && tree->format != IRIS_GRAY8)) {
+    if (!iris_format_is_levels(dst->format) || (dst->format == IRIS_GRAY8 && tree->format != IRIS_GRAY8)) {
         return IRIS_ERR_FORMAT;
     }
     if (dst->w != tree->size.w || dst->h != tree->size.h) {

@@ -1,5 +1,7 @@
 #include "iris/copy.h"
 
+#include "views.h"
+
 enum { FRACTION_BITS = 11, FRACTION_ONE = 1 << FRACTION_BITS };
 
 /* floor((first + i * step) / divisor) for i = 0, 1, 2, ... without a division per step and without drift. */
@@ -69,8 +71,7 @@ static iris_status check_resize(const iris_image *dst, const iris_image *src)
     if (status != IRIS_OK) {
         return status;
     }
-    if (dst->format != src->format ||
-        (dst->format != IRIS_GRAY8 && dst->format != IRIS_RGB888 && dst->format != IRIS_BGR888)) {
+    if (dst->format != src->format || !iris_format_is_levels(dst->format)) {
         return IRIS_ERR_FORMAT;
     }
     return iris_image_overlaps(dst, src) ? IRIS_ERR_ALIAS : IRIS_OK;

@@ -232,16 +232,11 @@ static void mirror_y(const iris_image *image)
     }
 }
 
-static int is_bayer(iris_format format)
-{
-    return format >= IRIS_BAYER8_RGGB && format <= IRIS_BAYER8_BGGR;
-}
-
 /* The filter of the new first pixel: at an even side the mirrored pattern is out of step. Bit 0 of the order
  * exchanges columns, bit 1 rows. */
 iris_format iris_turn_format(iris_format format, iris_size size, iris_turning turning)
 {
-    if (!is_bayer(format)) {
+    if (!iris_format_is_bayer(format)) {
         return format;
     }
     int order = (int)format - IRIS_BAYER8_RGGB, how = (int)turning;

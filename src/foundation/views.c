@@ -30,8 +30,7 @@ iris_status iris_views_check_levels(const iris_image *dst, const iris_image *src
     if (status == IRIS_ERR_ARG) {
         return status;
     }
-    int known = src->format == IRIS_GRAY8 || src->format == IRIS_RGB888 || src->format == IRIS_BGR888;
-    return known && dst->format == src->format ? status : IRIS_ERR_FORMAT;
+    return iris_format_is_levels(src->format) && dst->format == src->format ? status : IRIS_ERR_FORMAT;
 }
 
 iris_status iris_views_check_formats(const iris_image *dst, iris_format to, const iris_image *src,

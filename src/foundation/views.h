@@ -7,13 +7,24 @@
 #include "iris/border.h"
 #include "iris/image.h"
 
+/* 1 for the formats whose bytes are levels: IRIS_GRAY8, IRIS_RGB888, and IRIS_BGR888. */
+static inline int iris_format_is_levels(iris_format format)
+{
+    return format == IRIS_GRAY8 || format == IRIS_RGB888 || format == IRIS_BGR888;
+}
+
+static inline int iris_format_is_bayer(iris_format format)
+{
+    return format >= IRIS_BAYER8_RGGB && format <= IRIS_BAYER8_BGGR;
+}
+
 /* 1 when both are the same rows of memory, whatever their formats. */
 int iris_views_same_place(const iris_image *a, const iris_image *b);
 
 /* Any formats. dst may be src when their formats are the same. For operations without a border: IRIS_BORDER_NONE. */
 iris_status iris_views_check(const iris_image *dst, const iris_image *src, iris_border border);
 
-/* The same, and both are IRIS_GRAY8, IRIS_RGB888, or IRIS_BGR888. */
+/* The same, and both have one format of levels. */
 iris_status iris_views_check_levels(const iris_image *dst, const iris_image *src, iris_border border);
 
 /* The same without a border, and dst has the format `to` and src the format `from`. */

@@ -4,7 +4,6 @@
 #include "../foundation/hsl.h"
 #include "../foundation/views.h"
 #include "iris/xt/tone.h"
-#include "tone_picture.h"
 
 #define TURN_Q16 ((int32_t)6 << 16)
 #define S_MAX    ((int32_t)1 << 20)

@@ -3,7 +3,6 @@
 #include "../foundation/views.h"
 #include "iris/xt/histogram.h"
 #include "iris/xt/tone.h"
-#include "tone_picture.h"
 
 iris_status iris_equalize(const iris_image *dst, const iris_image *src, iris_scratch *scratch)
 {

@@ -4,7 +4,7 @@
 #include "../foundation/lightness.h"
 #include "../foundation/views.h"
 #include "iris/xt/histogram.h"
-#include "tone_picture.h"
+#include "tone_lightness.h"
 
 #define ONE 2048 /* sum of two weights */
 

@@ -1,5 +1,5 @@
 /* Tones on pictures. */
-#include "tone_picture.h"
+#include "tone_lightness.h"
 
 #include "../foundation/lightness.h"
 #include "../foundation/views.h"

@@ -1,6 +1,6 @@
 /* A curve of levels at lightness, which has twice as many steps. */
-#ifndef IRIS_XT_TONE_PICTURE_H
-#define IRIS_XT_TONE_PICTURE_H
+#ifndef IRIS_XT_TONE_LIGHTNESS_H
+#define IRIS_XT_TONE_LIGHTNESS_H
 
 #include <stdint.h>
 
