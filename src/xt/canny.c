@@ -4,21 +4,18 @@
 
 #include "../foundation/kernel.h"
 #include "../foundation/views.h"
-#include "blur_rows.h"
 #include "edge_rows.h"
 #include "hysteresis.h"
+#include "smooth_rows.h"
 
 /* A picture on its way through the steps, each a row behind the one before it. */
 typedef struct {
     const iris_image *mask, *src;
     iris_canny_config config;
     iris_border border;
-    iris_blur_rows blur;
+    iris_smooth_rows smooth;
     int32_t margin; /* pixels at each edge that IRIS_BORDER_SKIP leaves out of the blur; else -1 */
 
-    uint8_t
-        *smooth; /* pixel 0 of a row of border.value; behind it a ring of three rows of the blurred picture */
-    size_t smooth_step;
     int16_t *
         gradients; /* pixel 0 of a row of zeros; behind it rings: three of |dx| + |dy|, two of dx, two of dy */
     size_t gradient_step;
@@ -55,24 +52,20 @@ static iris_status take_memory(canny *c, iris_scratch *scratch)
 {
     const size_t w = (size_t)c->src->w, words = IRIS_CANNY_WORDS(w), all = words * (size_t)c->src->h;
     const size_t groups = IRIS_CANNY_WORDS(words) * (size_t)c->src->h;
-    const size_t row = IRIS_SCRATCH_ROUND(4u * words), smooth = IRIS_BORDER_ROWS_BYTES(w, 1, 1, 1);
-    c->smooth_step = smooth / 4;
+    const size_t row = IRIS_SCRATCH_ROUND(4u * words);
     c->gradient_step = IRIS_SCRATCH_ROUND(2u * (w + 2u)) / 2u;
-    c->smooth = (uint8_t *)iris_scratch_take(scratch, smooth);
     c->gradients = (int16_t *)iris_scratch_take(scratch, 16u * c->gradient_step);
     c->part = (uint32_t *)iris_scratch_take(scratch, row);
     c->strong = (uint32_t *)iris_scratch_take(scratch, row);
     c->weak = (uint32_t *)iris_scratch_take(scratch, 4u * all);
     c->dirty = (uint32_t *)iris_scratch_take(scratch, 4u * groups);
-    if (!c->smooth || !c->gradients || !c->part || !c->strong || !c->weak || !c->dirty) {
+    if (!c->gradients || !c->part || !c->strong || !c->weak || !c->dirty) {
         return IRIS_ERR_SCRATCH;
     }
-    memset(c->smooth, c->border.value, c->smooth_step);
     memset(c->gradients, 0, 16u * c->gradient_step);
     memset(c->weak, 0, 4u * all);
     memset(c->dirty, 0, 4u * groups);
     c->words = (int32_t)words;
-    c->smooth += IRIS_SCRATCH_ALIGN;
     c->gradients++;
     return IRIS_OK;
 }
@@ -80,8 +73,8 @@ static iris_status take_memory(canny *c, iris_scratch *scratch)
 static iris_status begin(canny *c, iris_scratch *scratch)
 {
     iris_status status = take_memory(c, scratch);
-    if (status == IRIS_OK && c->config.sigma_q16 > 0) {
-        status = iris_blur_rows_begin(&c->blur, c->src, c->config.sigma_q16, c->border, scratch);
+    if (status == IRIS_OK) {
+        status = iris_smooth_rows_begin(&c->smooth, c->src, c->config.sigma_q16, c->border, scratch);
     }
     if (status != IRIS_OK) {
         return status;
@@ -100,27 +93,6 @@ static int has_row(const canny *c, int32_t y, int32_t reach)
 {
     int32_t beyond = c->margin < 0 ? 0 : c->margin + reach;
     return y >= beyond && y < c->src->h - beyond;
-}
-
-static uint8_t *smooth_row(const canny *c, int32_t y)
-{
-    int32_t index = iris_border_index(y, c->src->h, c->border.rule);
-    return c->smooth + (index < 0 ? 0 : (size_t)(index % 3 + 1)) * c->smooth_step;
-}
-
-/* Row y of the blurred picture, continued by a pixel at both ends. */
-static void make_smooth(canny *c, int32_t y)
-{
-    uint8_t *row = smooth_row(c, y);
-    const int32_t w = c->src->w;
-    if (c->config.sigma_q16 > 0) {
-        iris_blur_rows_next(&c->blur, row);
-    } else {
-        memcpy(row, iris_image_row(c->src, y), (size_t)w);
-    }
-    int32_t left = iris_border_index(-1, w, c->border.rule), right = iris_border_index(w, w, c->border.rule);
-    row[-1] = left < 0 ? c->border.value : row[left];
-    row[w] = right < 0 ? c->border.value : row[right];
 }
 
 /* Rows of gradients; beyond the picture they are 0. */
@@ -144,8 +116,9 @@ static void make_gradient(const canny *c, int32_t y)
 {
     const int32_t first = c->margin + 1, n = c->src->w - 2 * first;
     if (n > 0) {
-        const uint8_t *const rows[3] = {smooth_row(c, y - 1) + first, smooth_row(c, y) + first,
-                                        smooth_row(c, y + 1) + first};
+        const uint8_t *const rows[3] = {iris_smooth_row(&c->smooth, y - 1) + first,
+                                        iris_smooth_row(&c->smooth, y) + first,
+                                        iris_smooth_row(&c->smooth, y + 1) + first};
         const iris_row_gradient to = {dx_row(c, y) + first, dy_row(c, y) + first, size_row(c, y) + first};
         iris_row_gradient_u8(&to, rows, IRIS_EDGE_MORE_SOBEL, n);
     }
@@ -186,7 +159,7 @@ iris_status iris_canny(const iris_image *mask, const iris_image *src, const iris
     status = begin(&c, scratch);
     for (int32_t y = 0; status == IRIS_OK && y < src->h + 2; y++) {
         if (y < src->h) {
-            make_smooth(&c, y);
+            iris_smooth_rows_next(&c.smooth, y);
         }
         if (y >= 1 && has_row(&c, y - 1, 1)) {
             make_gradient(&c, y - 1);

@@ -4,6 +4,7 @@
 #include "calls.h"
 #include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
+#include "iris/xt/edge_points.h"
 
 static iris_edge_config config;
 
@@ -106,6 +107,24 @@ static void automaton(void)
     CALL(iris_automaton(mask, src, given, border, scratch));
 }
 
+static void edge_points(void)
+{
+    iris_size size = draw_size();
+    iris_canny_config canny = {draw_chance(2) ? 0 : draw_int(IRIS_BLUR_SIGMA_MIN, 200000), draw_int(0, 60),
+                               draw_int(60, 300)};
+    int smooths = canny.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && canny.sigma_q16 <= IRIS_BLUR_SIGMA_MAX;
+    int32_t capacity = draw_within(-1, 100);
+    iris_edge_point *points = OR_NULL(draw_results((size_t)(capacity > 0 ? capacity : 0) * sizeof *points));
+    int32_t *count = OR_NULL(draw_results(sizeof *count));
+    const iris_image *src = draw_input(IRIS_GRAY8, size);
+    const iris_canny_config *given = OR_NULL(draw_given(&canny, sizeof canny));
+    iris_scratch *scratch =
+        draw_scratch_up_to(size.w > 0 && size.h > 0
+                               ? IRIS_EDGE_POINTS_SCRATCH_BYTES(size.w, size.h, smooths ? canny.sigma_q16 : 0)
+                               : 0);
+    CALL(iris_edge_points(points, capacity, count, src, given, scratch));
+}
+
 const random_call calls_edge[] = {
     {"iris_edge_gradient", gradient},
     {"iris_edge_magnitude", magnitude},
@@ -113,5 +132,6 @@ const random_call calls_edge[] = {
     {"iris_edge_mask", mask},
     {"iris_canny", canny},
     {"iris_automaton", automaton},
+    {"iris_edge_points", edge_points},
     {NULL, NULL},
 };

@@ -3,6 +3,7 @@
 #include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
 #include "iris/xt/edge.h"
+#include "iris/xt/edge_points.h"
 
 #define W 45
 #define H 24
@@ -107,9 +108,25 @@ static void automaton(void)
     }
 }
 
+static void points(void)
+{
+    iris_edge_point found[100];
+    int32_t count = 0;
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H);
+    iris_canny_config config;
+    iris_canny_defaults(&config);
+    iris_scratch scratch = digest_scratch(IRIS_EDGE_POINTS_SCRATCH_BYTES(W, H, config.sigma_q16));
+    digest_number(iris_edge_points(found, 100, &count, &gray, &config, &scratch));
+    digest_number(count);
+    for (int32_t i = 0; i < count && i < 100; i++) {
+        digest_number(found[i].x);
+        digest_number(found[i].y);
+        digest_number(found[i].angle);
+    }
+}
+
 const digest_operation digest_edge[] = {
-    {"edge.gradient", gradient},   {"edge.magnitude", magnitude},
-    {"edge.direction", direction}, {"edge.mask", mask},
-    {"edge.log", log_mask},        {"canny.mask", canny},
-    {"automaton.mask", automaton}, {NULL, NULL},
+    {"edge.gradient", gradient},   {"edge.magnitude", magnitude}, {"edge.direction", direction},
+    {"edge.mask", mask},           {"edge.log", log_mask},        {"canny.mask", canny},
+    {"automaton.mask", automaton}, {"edge.points", points},       {NULL, NULL},
 };

@@ -3,6 +3,7 @@
 #include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
 #include "iris/xt/edge.h"
+#include "iris/xt/edge_points.h"
 
 static const iris_border replicate;
 static iris_image dx, dy, angles;
@@ -92,6 +93,23 @@ static iris_status canny_unsmoothed(void)
     return iris_canny(&bench_frame.mask_to, &bench_frame.gray, &config, replicate, &bench_frame.scratch);
 }
 
+static iris_edge_point *edge_points;
+
+#define EDGE_POINTS 4096
+
+static void prepare_points(void)
+{
+    edge_points =
+        (iris_edge_point *)iris_scratch_take(&bench_frame.scratch, EDGE_POINTS * sizeof *edge_points);
+}
+
+static iris_status points(void)
+{
+    int32_t count;
+    return iris_edge_points(edge_points, edge_points ? EDGE_POINTS : 0, &count, &bench_frame.gray, NULL,
+                            &bench_frame.scratch);
+}
+
 static iris_status automaton(void)
 {
     return iris_automaton(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
@@ -111,5 +129,6 @@ const bench_case bench_edge[] = {
     {"edges, cellular automaton", automaton, NULL},
     {"edges, Canny, sigma 1.4", canny, NULL},
     {"edges, Canny, not smoothed", canny_unsmoothed, NULL},
+    {"edge points, sigma 1.4", points, prepare_points},
     {0},
 };
