@@ -92,6 +92,12 @@ static const iris_image *input_of(job *run)
     return &run->mask.image;
 }
 
+/* Does the last operation answer in text, with neither -o nor --json? */
+static int prints(const operation_chain *chain)
+{
+    return !chain->output && !chain->json && chain->stages[chain->count - 1].operation->print;
+}
+
 /* Writes the result, and reports. Returns an exit code. */
 static int finish_one(const job *run, const iris_image *input, const iris_image *result)
 {
@@ -107,6 +113,10 @@ static int finish_one(const job *run, const iris_image *input, const iris_image 
     }
     if (chain->json) {
         report(chain, run->file, output, output ? result : input);
+    }
+    if (prints(chain)) {
+        const operation_stage *last = &chain->stages[chain->count - 1];
+        last->operation->print(stdout, last);
     }
     return EXIT_DONE;
 }
@@ -195,7 +205,8 @@ static int names_differ(const char *folder, const input_list *inputs)
 /* Is -o (or its absence) good for these inputs? Sets *folder. Returns an exit code, after complaining. */
 static int check_output(operation_chain *chain, const input_list *inputs, int *folder)
 {
-    if (!chain->output && chain->json && chain->stages[chain->count - 1].operation->reports_alone) {
+    const operation *last = chain->stages[chain->count - 1].operation;
+    if (prints(chain) || (!chain->output && chain->json && last->reports_alone)) {
         return EXIT_DONE;
     }
     if (!chain->output || strcmp(chain->output, "-") == 0) {

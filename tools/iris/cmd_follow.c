@@ -13,6 +13,7 @@
 #include "inputs.h"
 #include "iris/xt/follow.h"
 #include "iris/xt/steer.h"
+#include "overlay_folder.h"
 #include "progress.h"
 
 static const char help[] =
@@ -173,7 +174,7 @@ static int run(const follow_options *options, const input_list *inputs)
         int length = (int)strlen(inputs->paths[i]);
         s.name_width = length > s.name_width && length <= 60 ? length : s.name_width;
     }
-    int exit_code = options->overlay ? follow_overlay_begin(options->overlay, inputs) : EXIT_DONE;
+    int exit_code = options->overlay ? overlay_folder_begin(options->overlay, inputs) : EXIT_DONE;
     if (exit_code == EXIT_DONE && options->serial) {
         exit_code = follow_port_open(options->serial, options->baud);
     }

@@ -5,12 +5,7 @@
 #define IRIS_TOOL_FOLLOW_OVERLAY_H
 
 #include "follow_report.h"
-#include "inputs.h"
 #include "iris/image.h"
-
-/* Makes the folder if it is missing, and sees to it that every input has a name of its own there and that none would be
- * overwritten. Complains; returns an exit code. */
-int follow_overlay_begin(const char *folder, const input_list *inputs);
 
 /* Draws into the frame (IRIS_RGB888), or into a larger copy, and writes that under the input's name as a BMP; a frame
  * of standard input is frame_00001.bmp, after its number. Complains; returns an exit code. */

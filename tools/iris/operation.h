@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "args.h"
 #include "complain.h"
@@ -91,6 +92,10 @@ typedef struct operation {
 
     /* Adds members to the JSON object that has file, output, width, height, and kind; null: none. */
     void (*report)(json_writer *json, const operation_stage *stage);
+
+    /* Writes what people read when neither --json nor -o was given: a line for the picture (stage->file), and more lines.
+     * Null: without them the picture goes to standard output. */
+    void (*print)(FILE *out, const operation_stage *stage);
 
     int reshapes;      /* 1: the result may have another size, so that there is no --roi */
     int has_border;    /* 1: takes --border though it reshapes; all that do not take it */

@@ -42,6 +42,21 @@ static void score_number(score *s, const char *what, const char *figure, const c
     }
 }
 
+void score_cost_row(score *s, const char *what, const char *bench_case, size_t memory)
+{
+    char why[128], row[160];
+    FILE *file = figures_open(why, sizeof why, s, "1-M4");
+    double number = file ? number_before(file, bench_case) : -1;
+    snprintf(row, sizeof row, "cost at 160x120: %s", what);
+    if (number < 0) {
+        score_row(s, row, NULL, SCORE_INFORMATION, "%lu bytes; instructions on M4: %s", (unsigned long)memory,
+                  file ? "no such case" : why);
+    } else {
+        score_row(s, row, NULL, SCORE_INFORMATION, "%lu bytes; %.0f thousand instructions a frame on M4",
+                  (unsigned long)memory, number * 160 * 120 / 1000);
+    }
+}
+
 void score_cost(score *s)
 {
     const size_t frame_memory = IRIS_FOLLOW_SCRATCH_BYTES(160, 120);

@@ -2,6 +2,8 @@
 #ifndef SCORE_SCORE_H
 #define SCORE_SCORE_H
 
+#include <stddef.h>
+
 /* SCORE_SHORT: missed, known, and no worse than when it was last said: the tests report it as skipped, by name. */
 typedef enum { SCORE_MISSED, SCORE_REACHED, SCORE_SKIPPED, SCORE_SHORT, SCORE_INFORMATION } score_verdict;
 
@@ -18,6 +20,10 @@ void score_head(const score *s);
 void score_row(score *s, const char *what, const char *required, score_verdict verdict, const char *format,
                ...);
 void score_totals(const score *s);
+
+/* What an operation costs at 160x120: `memory` bytes, and instructions for a frame on a Cortex-M4, as counted for the case of
+ * this name in tools/bench. */
+void score_cost_row(score *s, const char *what, const char *bench_case, size_t memory);
 
 static inline score_verdict score_if(int condition)
 {
