@@ -1,35 +1,41 @@
 #include "iris/xt/hough.h"
 
-#define HALF_TURN 32768 /* in units of iris_angle */
-#define VOTES_MAX 65535
+#include "hough_parts.h"
+#include "mask_runs.h"
 
 void iris_hough_defaults(iris_hough_config *config)
 {
     if (config) {
-        *config = (iris_hough_config){
-            -HALF_TURN / 2, HALF_TURN / 2, 180, -IRIS_SIDE_MAX, IRIS_SIDE_MAX, 1, 50, 8, 12};
+        *config = (iris_hough_config){.angle_min = -HOUGH_HALF_TURN / 2,
+                                      .angle_max = HOUGH_HALF_TURN / 2,
+                                      .theta_bins = 180,
+                                      .rho_min = -IRIS_SIDE_MAX,
+                                      .rho_max = IRIS_SIDE_MAX,
+                                      .rho_step = 1,
+                                      .min_votes = 50,
+                                      .theta_separation = 8,
+                                      .rho_separation = 12,
+                                      .full_circle = 0,
+                                      .spread = 1820};
     }
 }
 
-static int outside(int32_t value, int32_t low, int32_t high)
+static int angles_are_bad(const iris_hough_config *c)
 {
-    return value < low || value > high;
+    int32_t most = c->full_circle == 1 ? HOUGH_HALF_TURN : HOUGH_HALF_TURN / 2;
+    return hough_outside(c->full_circle, 0, 1) || hough_outside(c->angle_min, -most, most) ||
+           hough_outside(c->angle_max, -most, most) ||
+           hough_outside(c->theta_bins, 1, IRIS_HOUGH_THETA_BINS_MAX) ||
+           hough_outside(c->spread, 0, IRIS_HOUGH_SPREAD_MAX);
 }
 
 static int config_is_bad(const iris_hough_config *c)
 {
-    return outside(c->angle_min, -HALF_TURN / 2, HALF_TURN / 2) ||
-           outside(c->angle_max, -HALF_TURN / 2, HALF_TURN / 2) ||
-           outside(c->theta_bins, 1, IRIS_HOUGH_THETA_BINS_MAX) || c->rho_min >= c->rho_max ||
-           outside(c->rho_step, 1, IRIS_HOUGH_RHO_STEP_MAX) || (c->rho_step & (c->rho_step - 1)) != 0 ||
-           outside(c->min_votes, 1, VOTES_MAX) ||
-           outside(c->theta_separation, 0, IRIS_HOUGH_SEPARATION_MAX) ||
-           outside(c->rho_separation, 0, IRIS_HOUGH_SEPARATION_MAX);
-}
-
-static int size_is_bad(iris_size size)
-{
-    return outside(size.w, 1, IRIS_SIDE_MAX) || outside(size.h, 1, IRIS_SIDE_MAX);
+    return angles_are_bad(c) || c->rho_min >= c->rho_max ||
+           hough_outside(c->rho_step, 1, IRIS_HOUGH_RHO_STEP_MAX) || (c->rho_step & (c->rho_step - 1)) != 0 ||
+           hough_outside(c->min_votes, 1, HOUGH_VOTES_MAX) ||
+           hough_outside(c->theta_separation, 0, IRIS_HOUGH_SEPARATION_MAX) ||
+           hough_outside(c->rho_separation, 0, IRIS_HOUGH_SEPARATION_MAX);
 }
 
 /* Cuts the bounds to the image and derives the numbers of bins from them. */
@@ -47,25 +53,32 @@ static iris_status lay_out(iris_hough *hough)
     while (c->rho_step >> (hough->shift - 15) > 1) {
         hough->shift++;
     }
-    int32_t between = (c->angle_max - c->angle_min) & (HALF_TURN - 1);
-    hough->span = between == 0 ? HALF_TURN : between;
+    int32_t turn = hough_turn(hough), between = (c->angle_max - c->angle_min) & (turn - 1);
+    hough->span = between == 0 ? turn : between;
     return hough->rho_bins > IRIS_SIDE_MAX ? IRIS_ERR_RANGE : IRIS_OK;
 }
 
-/* The angle of a theta bin: -90 up to below 270 degrees. */
-static int32_t bin_angle(const iris_hough *hough, int32_t theta)
+static int32_t magnitude(int32_t a)
 {
-    int32_t bins = hough->config.theta_bins;
-    return hough->config.angle_min + (theta * hough->span + bins / 2) / bins;
+    return a < 0 ? -a : a;
 }
 
-static void clear(const iris_hough *hough)
+static void clear(iris_hough *hough)
 {
+    hough->room = HOUGH_VOTES_MAX;
     for (int32_t theta = 0; theta < hough->config.theta_bins; theta++) {
-        iris_angle angle = iris_angle_wrap(bin_angle(hough, theta));
+        iris_angle angle = iris_angle_wrap(hough_bin_angle(hough, theta));
         uint16_t *row = hough->votes + (size_t)theta * (size_t)hough->rho_bins;
-        hough->sines[2 * theta] = (int16_t)iris_round_shift(iris_cos_q30(angle), 16);
-        hough->sines[2 * theta + 1] = (int16_t)iris_round_shift(iris_sin_q30(angle), 16);
+        int32_t cosine = (int32_t)iris_round_shift(iris_cos_q30(angle), 16);
+        int32_t sine = (int32_t)iris_round_shift(iris_sin_q30(angle), 16);
+        hough->sines[2 * theta] = (int16_t)cosine;
+        hough->sines[2 * theta + 1] = (int16_t)sine;
+        /* of the farthest corners */
+        int32_t reach = (hough->size.w - 1) * magnitude(cosine) + (hough->size.h - 1) * magnitude(sine);
+        int32_t origin = hough->config.rho_min * 32768;
+        if (reach > -origin || (reach - origin) >> hough->shift >= hough->rho_bins) {
+            hough->room = 0;
+        }
         for (int32_t rho = 0; rho < hough->rho_bins; rho++) {
             row[rho] = 0;
         }
@@ -86,7 +99,7 @@ iris_status iris_hough_begin(iris_hough *hough, iris_size size, const iris_hough
     if (config_is_bad(&made.config)) {
         return IRIS_ERR_ARG;
     }
-    if (size_is_bad(size) || lay_out(&made) != IRIS_OK) {
+    if (hough_size_is_bad(size) || lay_out(&made) != IRIS_OK) {
         return IRIS_ERR_RANGE;
     }
     size_t start = iris_scratch_mark(scratch), angles = (size_t)made.config.theta_bins;
@@ -101,24 +114,90 @@ iris_status iris_hough_begin(iris_hough *hough, iris_size size, const iris_hough
     return IRIS_OK;
 }
 
-/* The points (x[i], y) vote; coordinates are doubled and counted from the middle of the image: |x| and
- * |y| at most 32766, so rho with 15 fraction bits is below 2^30, and below 2^31 when counted from
- * rho_min. */
-static void vote(const iris_hough *hough, const int16_t *x, int32_t count, int32_t y)
+/* Points row by row. Coordinates are doubled and counted from the middle of the image: |x| and |y| at most 32766, so rho
+ * with 15 fraction bits is below 2^30, and below 2^31 when counted from rho_min. */
+enum { BATCH_POINTS = 256, BATCH_ROWS = 48 };
+typedef struct {
+    int32_t points, rows;
+    int16_t x[BATCH_POINTS];
+    int16_t y[BATCH_ROWS], end[BATCH_ROWS]; /* of each row: where the next one's points begin */
+} batch;
+
+/* From the bin `theta` on. */
+static void vote_bounded(const iris_hough *hough, const batch *of, int32_t theta)
 {
-    uint16_t *row = hough->votes;
-    uint32_t bins = (uint32_t)hough->rho_bins;
-    for (int32_t theta = 0; theta < hough->config.theta_bins; theta++, row += bins) {
-        int32_t cosine = hough->sines[2 * theta];
-        int32_t first = y * hough->sines[2 * theta + 1] - hough->config.rho_min * 32768;
-        for (int32_t i = 0; i < count; i++) {
-            /* below rho_min this is a large number */
-            uint32_t rho = (uint32_t)(first + x[i] * cosine) >> hough->shift;
-            if (rho < bins && row[rho] < VOTES_MAX) {
-                row[rho]++;
+    uint32_t count = (uint32_t)hough->rho_bins;
+    for (; theta < hough->config.theta_bins; theta++) {
+        uint16_t *bins = hough->votes + (size_t)theta * count;
+        int32_t cosine = hough->sines[2 * theta], sine = hough->sines[2 * theta + 1], i = 0;
+        for (int32_t row = 0; row < of->rows; row++) {
+            int32_t first = of->y[row] * sine - hough->config.rho_min * 32768, end = of->end[row];
+            for (; i < end; i++) {
+                /* below rho_min this is a large number */
+                uint32_t rho = (uint32_t)(first + of->x[i] * cosine) >> hough->shift;
+                if (rho < count && bins[rho] < HOUGH_VOTES_MAX) {
+                    bins[rho]++;
+                }
             }
         }
     }
+}
+
+/* Two numbers in one, so that one multiplication and one addition serve both. Sums of them that are not negative come
+ * out as they went in. */
+static inline int64_t pair(int32_t high, int32_t low)
+{
+    return (int64_t)high * ((int64_t)1 << 32) + low;
+}
+
+/* n points of a row vote in two theta bins that have `bins` bins of rho each. */
+static inline void vote_twice(uint16_t *votes, int32_t bins, const int16_t *x, int32_t n, const int64_t by[2],
+                              int shift)
+{
+    uint16_t *const second = votes + bins;
+    const int64_t first = by[0], cosines = by[1];
+    for (int32_t i = 0; i < n; i++) {
+        uint64_t rhos = (uint64_t)(first + x[i] * cosines);
+        votes[(uint32_t)rhos >> shift]++;
+        second[rhos >> 32 >> shift]++;
+    }
+}
+
+/* The same as vote_bounded where no point is out of bounds and no bin can be full, two theta bins at a time: less than
+ * half the time. Returns the bin that is left. */
+static int32_t vote_freely(const iris_hough *hough, const batch *of)
+{
+    const int32_t bins = hough->rho_bins, origin = hough->config.rho_min * 32768;
+    int32_t theta = 0;
+    for (; theta + 1 < hough->config.theta_bins; theta += 2) {
+        uint16_t *votes = hough->votes + (size_t)theta * (size_t)bins;
+        const int16_t *sines = hough->sines + 2 * theta;
+        int64_t by[2] = {0, pair(sines[2], sines[0])};
+        for (int32_t row = 0, i = 0; row < of->rows; row++) {
+            int32_t y = of->y[row], n = of->end[row] - i;
+            by[0] = pair(y * sines[3] - origin, y * sines[1] - origin);
+            if (hough->shift == 15) { /* the compiler knows it then */
+                vote_twice(votes, bins, of->x + i, n, by, 15);
+            } else {
+                vote_twice(votes, bins, of->x + i, n, by, hough->shift);
+            }
+            i += n;
+        }
+    }
+    return theta;
+}
+
+static void vote(iris_hough *hough, batch *of)
+{
+    int32_t theta = 0;
+    if (of->points > hough->room) {
+        hough->room = 0;
+    } else {
+        hough->room -= of->points;
+        theta = vote_freely(hough, of);
+    }
+    vote_bounded(hough, of, theta);
+    of->points = of->rows = 0;
 }
 
 iris_status iris_hough_vote(iris_hough *hough, int32_t twice_x, int32_t twice_y)
@@ -127,12 +206,38 @@ iris_status iris_hough_vote(iris_hough *hough, int32_t twice_x, int32_t twice_y)
         return IRIS_ERR_ARG;
     }
     int32_t right = hough->size.w - 1, bottom = hough->size.h - 1;
-    if (outside(twice_x, 0, 2 * right) || outside(twice_y, 0, 2 * bottom)) {
+    if (hough_outside(twice_x, 0, 2 * right) || hough_outside(twice_y, 0, 2 * bottom)) {
         return IRIS_ERR_RANGE;
     }
-    int16_t x = (int16_t)(twice_x - right);
-    vote(hough, &x, 1, twice_y - bottom);
+    batch one;
+    one.points = one.rows = 1;
+    one.x[0] = (int16_t)(twice_x - right);
+    one.y[0] = (int16_t)(twice_y - bottom);
+    one.end[0] = 1;
+    vote(hough, &one);
     return IRIS_OK;
+}
+
+/* Row y of a mask into the batch, which votes whenever it is full. */
+static void gather(iris_hough *hough, batch *to, const uint32_t *mask_row, int32_t y)
+{
+    const int32_t w = hough->size.w, right = w - 1;
+    iris_mask_span run = {0, 0};
+    int is_open = 0; /* is the last row of the batch this one? */
+    while (iris_mask_run(&run, mask_row, run.end, w)) {
+        for (int32_t x = run.first; x < run.end; x++) {
+            if (to->points == BATCH_POINTS || (!is_open && to->rows == BATCH_ROWS)) {
+                vote(hough, to);
+                is_open = 0;
+            }
+            if (!is_open) {
+                to->y[to->rows++] = (int16_t)(2 * y - (hough->size.h - 1));
+                is_open = 1;
+            }
+            to->x[to->points++] = (int16_t)(2 * x - right);
+            to->end[to->rows - 1] = (int16_t)to->points;
+        }
+    }
 }
 
 iris_status iris_hough_vote_row(iris_hough *hough, const uint32_t *mask_row, int32_t y)
@@ -140,129 +245,94 @@ iris_status iris_hough_vote_row(iris_hough *hough, const uint32_t *mask_row, int
     if (!hough || !hough->votes || !mask_row) {
         return IRIS_ERR_ARG;
     }
-    int32_t w = hough->size.w, h = hough->size.h;
-    if (outside(y, 0, h - 1)) {
+    if (hough_outside(y, 0, hough->size.h - 1)) {
         return IRIS_ERR_RANGE;
     }
-    for (int32_t start = 0; start < w; start += 32) {
-        uint32_t bits = mask_row[start / 32];
-        if (w - start < 32) {
-            bits &= ((uint32_t)1 << (w - start)) - 1;
-        }
-        int16_t x[32];
-        int32_t count = 0;
-        for (int32_t at = 2 * start - (w - 1); bits != 0; bits >>= 1, at += 2) {
-            if (bits & 1) {
-                x[count++] = (int16_t)at;
-            }
-        }
-        if (count > 0) {
-            vote(hough, x, count, 2 * y - (h - 1));
-        }
+    batch points;
+    points.points = points.rows = 0;
+    gather(hough, &points, mask_row, y);
+    if (points.points > 0) {
+        vote(hough, &points);
     }
     return IRIS_OK;
 }
 
-/* Where the votes of a bin are; -1 outside the bounds. Where theta covers every direction, the angle
- * behind the last is the first, with rho negated. */
-static int32_t bin_index(const iris_hough *hough, int32_t theta, int32_t rho)
+iris_status iris_hough_vote_mask(iris_hough *hough, const iris_image *mask)
 {
-    int32_t angles = hough->config.theta_bins;
-    if (outside(theta, 0, angles - 1)) {
-        if (hough->span != HALF_TURN) {
-            return -1;
-        }
-        theta += theta < 0 ? angles : -angles;
-        rho = -2 * hough->config.rho_min / hough->config.rho_step - 1 - rho;
-    }
-    if (outside(theta, 0, angles - 1) || outside(rho, 0, hough->rho_bins - 1)) {
-        return -1;
-    }
-    return theta * hough->rho_bins + rho;
-}
-
-/* Does no bin within the separations have more votes, or as many and come first? */
-static int is_peak(const iris_hough *hough, int32_t theta, int32_t rho)
-{
-    int32_t reach = hough->config.theta_separation, far = hough->config.rho_separation;
-    int32_t here = theta * hough->rho_bins + rho;
-    if (reach > (hough->config.theta_bins - 1) / 2 && hough->span == HALF_TURN) {
-        reach = (hough->config.theta_bins - 1) / 2; /* each angle once */
-    }
-    for (int32_t t = -reach; t <= reach; t++) {
-        for (int32_t r = -far; r <= far; r++) {
-            int32_t there = bin_index(hough, theta + t, rho + r);
-            if (there >= 0 && (hough->votes[there] > hough->votes[here] ||
-                               (there < here && hough->votes[there] == hough->votes[here]))) {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-
-/* The line of a peak. Between the bins it is at the center of gravity of what the peak and its eight
- * neighbors have beyond half of the peak's votes. */
-static iris_hough_line line_at(const iris_hough *hough, int32_t theta, int32_t rho)
-{
-    int32_t votes = hough->votes[theta * hough->rho_bins + rho];
-    int32_t sum = votes - votes / 2, theta_sum = 0, rho_sum = 0; /* of the peak itself: above 0 */
-    for (int32_t t = -1; t <= 1; t++) {
-        for (int32_t r = -1; r <= 1; r++) {
-            int32_t there = bin_index(hough, theta + t, rho + r);
-            int32_t weight = there < 0 ? 0 : hough->votes[there] - votes / 2;
-            if (weight > 0 && (t != 0 || r != 0)) {
-                sum += weight;
-                theta_sum += t * weight;
-                rho_sum += r * weight;
-            }
-        }
-    }
-    /* six weights, each of at most 2^15, times 2^9 stay below 2^27 */
-    int32_t angle =
-        bin_angle(hough, theta) + theta_sum * 256 / sum * hough->span / (256 * hough->config.theta_bins);
-    int32_t rho_q9 =
-        hough->config.rho_min * 512 + (rho * 512 + 256 + rho_sum * 512 / sum) * hough->config.rho_step;
-    while (outside(angle, -HALF_TURN / 2, HALF_TURN / 2 - 1)) {
-        angle += angle < 0 ? HALF_TURN : -HALF_TURN;
-        rho_q9 = -rho_q9;
-    }
-    return (iris_hough_line){(iris_angle)angle, rho_q9 * 128, votes};
-}
-
-/* Puts a line behind those that are as good, if there is room. */
-static void insert(iris_hough_line *lines, int32_t capacity, int32_t count, iris_hough_line line)
-{
-    int32_t at = count < capacity ? count : capacity;
-    while (at > 0 && lines[at - 1].votes < line.votes) {
-        if (at < capacity) {
-            lines[at] = lines[at - 1];
-        }
-        at--;
-    }
-    if (at < capacity) {
-        lines[at] = line;
-    }
-}
-
-iris_status iris_hough_peaks(iris_hough_line *lines, int32_t capacity, int32_t *count,
-                             const iris_hough *hough)
-{
-    if (!count || !hough || !hough->votes || capacity < 0 || (!lines && capacity > 0)) {
+    if (!hough || !hough->votes || !mask) {
         return IRIS_ERR_ARG;
     }
-    int32_t found = 0;
-    const uint16_t *row = hough->votes;
-    for (int32_t theta = 0; theta < hough->config.theta_bins; theta++, row += hough->rho_bins) {
-        for (int32_t rho = 0; rho < hough->rho_bins; rho++) {
-            if (row[rho] >= hough->config.min_votes && is_peak(hough, theta, rho)) {
-                insert(lines, capacity, found, line_at(hough, theta, rho));
-                found++;
-            }
+    iris_status status = iris_image_check(mask);
+    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
+        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    }
+    if (mask->w != hough->size.w || mask->h != hough->size.h) {
+        return IRIS_ERR_RANGE;
+    }
+    batch points;
+    points.points = points.rows = 0;
+    for (int32_t y = 0; y < mask->h; y++) {
+        gather(hough, &points, (const uint32_t *)iris_image_row(mask, y), y);
+    }
+    if (points.points > 0) {
+        vote(hough, &points);
+    }
+    return IRIS_OK;
+}
+
+/* a / b rounded down, b above 0. */
+static int32_t floored(int32_t a, int32_t b)
+{
+    return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+/* A point votes in the theta bins from the one nearest to `low` up to the one nearest to `high`, counted from angle_min,
+ * as far as they exist and are not below `next`. Returns the next one. */
+static int32_t vote_between(const iris_hough *hough, const iris_edge_point *point, int32_t low, int32_t high,
+                            int32_t next)
+{
+    const int32_t bins = hough->config.theta_bins, span = hough->span;
+    if (low >= span || 2 * high * bins + span < 0) {
+        return next;
+    }
+    int32_t first = floored(2 * low * bins + span, 2 * span);
+    int32_t last = floored(2 * high * bins + span, 2 * span);
+    first = first < next ? next : first;
+    last = last > bins - 1 ? bins - 1 : last;
+    const int32_t x = 2 * point->x - (hough->size.w - 1), y = 2 * point->y - (hough->size.h - 1);
+    const uint32_t rho_bins = (uint32_t)hough->rho_bins;
+    for (int32_t theta = first; theta <= last; theta++) {
+        const int16_t *sines = hough->sines + 2 * theta;
+        int32_t from = x * sines[0] + y * sines[1] - hough->config.rho_min * 32768;
+        uint32_t rho = (uint32_t)from >> hough->shift;
+        uint16_t *votes = hough->votes + (size_t)theta * rho_bins;
+        if (rho < rho_bins && votes[rho] < HOUGH_VOTES_MAX) {
+            votes[rho]++;
         }
     }
-    *count = found;
-    return found > capacity ? IRIS_ERR_FULL : IRIS_OK;
+    return last + 1;
+}
+
+iris_status iris_hough_vote_edges(iris_hough *hough, const iris_edge_point *points, int32_t count)
+{
+    if (!hough || !hough->votes || count < 0 || (!points && count > 0)) {
+        return IRIS_ERR_ARG;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        if (hough_outside(points[i].x, 0, hough->size.w - 1) ||
+            hough_outside(points[i].y, 0, hough->size.h - 1)) {
+            return IRIS_ERR_RANGE;
+        }
+    }
+    hough->room = hough->room > count ? hough->room - count : 0;
+    const int32_t turn = hough_turn(hough), spread = hough->config.spread;
+    for (int32_t i = 0; i < count; i++) {
+        int32_t angle = (points[i].angle - hough->config.angle_min) & (turn - 1), next = 0;
+        for (int32_t middle = angle - turn; middle <= angle + turn; middle += turn) {
+            next = vote_between(hough, &points[i], middle - spread, middle + spread, next);
+        }
+    }
+    return IRIS_OK;
 }
 
 iris_status iris_hough_lines(iris_hough_line *lines, int32_t capacity, int32_t *count, const iris_image *mask,
@@ -281,9 +351,7 @@ iris_status iris_hough_lines(iris_hough_line *lines, int32_t capacity, int32_t *
     if (status != IRIS_OK) {
         return status;
     }
-    for (int32_t y = 0; y < mask->h; y++) {
-        iris_hough_vote_row(&hough, (const uint32_t *)iris_image_row(mask, y), y);
-    }
+    (void)iris_hough_vote_mask(&hough, mask);
     status = iris_hough_peaks(lines, capacity, count, &hough);
     iris_scratch_release(scratch, start);
     return status;
@@ -296,72 +364,5 @@ iris_status iris_hough_accumulator(iris_image *view, const iris_hough *hough)
     }
     *view = (iris_image){hough->votes, (ptrdiff_t)hough->rho_bins * 2, hough->rho_bins,
                          hough->config.theta_bins, IRIS_GRAY_U16};
-    return IRIS_OK;
-}
-
-/* 1 / a for a in 0.7..1: Newton's method from 1.2, where each round squares the error of at first 0.2. */
-static iris_q30 reciprocal(iris_q30 a)
-{
-    iris_q30 r = 1288490189;
-    for (int i = 0; i < 4; i++) {
-        r += iris_q30_mul(r, IRIS_Q30_ONE - iris_q30_mul(a, r));
-    }
-    return r;
-}
-
-/* A line a = start + slope * b, where b is the axis that it follows more closely. */
-typedef struct {
-    int64_t start_q16;
-    iris_q30 slope;
-    int32_t a_side; /* of the image along a */
-} walk;
-
-/* The pixel a of the line at b, or -1 outside the image. */
-static int32_t walk_at(const walk *w, int32_t b)
-{
-    int64_t a = iris_round_shift(w->start_q16 + iris_round_shift((int64_t)w->slope * b, 14), 16);
-    return a >= 0 && a < w->a_side ? (int32_t)a : -1;
-}
-
-iris_status iris_hough_clip(iris_hough_ends *ends, const iris_hough_line *line, iris_size size)
-{
-    if (!ends || !line) {
-        return IRIS_ERR_ARG;
-    }
-    if (size_is_bad(size)) {
-        return IRIS_ERR_RANGE;
-    }
-    iris_q30 along = iris_cos_q30(line->angle), across = iris_sin_q30(line->angle);
-    int upright = (along < 0 ? -along : along) >= (across < 0 ? -across : across);
-    int32_t b_side = upright ? size.h : size.w;
-    walk path = {.a_side = upright ? size.w : size.h};
-    if (!upright) {
-        iris_q30 other = along;
-        along = across;
-        across = other;
-    }
-    iris_q30 inverse = along < 0 ? -reciprocal(-along) : reciprocal(along);
-    path.slope = -iris_q30_mul(across, inverse);
-    path.start_q16 = iris_round_shift((int64_t)line->rho_q16 * inverse, 30) +
-                     (int64_t)(path.a_side - 1) * 32768 -
-                     iris_round_shift((int64_t)path.slope * (b_side - 1), 15);
-    int32_t first = 0, last = b_side - 1;
-    while (first <= last && walk_at(&path, first) < 0) {
-        first++;
-    }
-    if (first > last) {
-        return IRIS_ERR_RANGE;
-    }
-    while (walk_at(&path, last) < 0) {
-        last--;
-    }
-    int32_t a_first = walk_at(&path, first), a_last = walk_at(&path, last);
-    if (upright) {
-        *ends = (iris_hough_ends){a_last, last, a_first, first};
-    } else if (a_last > a_first) {
-        *ends = (iris_hough_ends){last, a_last, first, a_first};
-    } else {
-        *ends = (iris_hough_ends){first, a_first, last, a_last};
-    }
     return IRIS_OK;
 }

@@ -3,6 +3,7 @@
 
 #include "calls.h"
 #include "iris/xt/regress.h"
+#include "iris/xt/votes.h"
 
 static iris_hough_config any_config(void)
 {
@@ -11,6 +12,8 @@ static iris_hough_config any_config(void)
     config.theta_bins = draw_int(1, 40);
     config.rho_step = 1 << draw_below(3);
     config.min_votes = draw_int(1, 30);
+    config.full_circle = draw_chance(20) ? draw_int(0, 1) : draw_within(0, 1);
+    config.spread = (iris_angle)draw_int(0, IRIS_HOUGH_SPREAD_MAX);
     if (draw_chance(3)) {
         config.angle_min = (iris_angle)draw_int(-16384, 16384);
         config.angle_max = (iris_angle)draw_int(-16384, 16384);
@@ -62,7 +65,7 @@ static iris_hough *begun(iris_size size)
     for (int i = draw_within(0, 200); i > 0; i--) {
         (void)iris_hough_vote(&hough, draw_within(0, 2 * size.w - 2), draw_within(0, 2 * size.h - 2));
     }
-    return OR_NULL(draw_given(&hough, sizeof hough));
+    return OR_NULL(draw_state(&hough, sizeof hough));
 }
 
 static void vote(void)
@@ -80,6 +83,37 @@ static void vote_row(void)
     const uint32_t *row = OR_NULL(draw_given(NULL, iris_format_row_bytes(IRIS_MASK1, size.w)));
     int32_t y = draw_int(0, size.h);
     CALL(iris_hough_vote_row(hough, row, y));
+}
+
+static void vote_mask(void)
+{
+    iris_size size = draw_size();
+    iris_hough *hough = begun(size);
+    const iris_image *mask = draw_input(IRIS_MASK1, size);
+    CALL(iris_hough_vote_mask(hough, mask));
+}
+
+static void vote_edges(void)
+{
+    iris_edge_point points[20];
+    iris_size size = draw_size();
+    iris_hough *hough = begun(size);
+    int32_t count = draw_int(0, 20), fits = count >= 0 && count <= 20 ? count : 0;
+    for (int32_t i = 0; i < fits; i++) {
+        int32_t x = draw_chance(200) ? draw_int(0, size.w) : draw_within(0, size.w > 0 ? size.w - 1 : 0);
+        int32_t y = draw_chance(200) ? draw_int(0, size.h) : draw_within(0, size.h > 0 ? size.h - 1 : 0);
+        points[i] = (iris_edge_point){(int16_t)x, (int16_t)y, (iris_angle)draw_below(65536)};
+    }
+    const iris_edge_point *given = OR_NULL(draw_given(points, (size_t)fits * sizeof *points));
+    CALL(iris_hough_vote_edges(hough, given, count < 0 ? count : fits));
+}
+
+static void show(void)
+{
+    iris_size size = draw_size();
+    const iris_image *gray = draw_output(IRIS_GRAY8, size);
+    const iris_image *votes = draw_input(IRIS_GRAY_U16, size);
+    CALL(iris_votes_show(gray, votes));
 }
 
 static void peaks(void)
@@ -156,6 +190,9 @@ const random_call calls_hough[] = {
     {"iris_hough_begin", begin},
     {"iris_hough_vote", vote},
     {"iris_hough_vote_row", vote_row},
+    {"iris_hough_vote_mask", vote_mask},
+    {"iris_hough_vote_edges", vote_edges},
+    {"iris_votes_show", show},
     {"iris_hough_peaks", peaks},
     {"iris_hough_accumulator", accumulator},
     {NULL, NULL},

@@ -2,6 +2,7 @@
 
 #include "iris/xt/hough.h"
 #include "iris/xt/threshold.h"
+#include "iris/xt/votes.h"
 
 #define W 64
 #define H 48
@@ -61,8 +62,44 @@ static void bounded(void)
     transform(&config, 60);
 }
 
+/* Points strewn over the picture and along a line, with directions. */
+static void directed(void)
+{
+    iris_hough hough;
+    iris_hough_config config;
+    iris_hough_defaults(&config);
+    config.full_circle = 1;
+    config.angle_min = config.angle_max = 0;
+    config.theta_bins = 60;
+    config.rho_step = 2;
+    config.min_votes = 15;
+    iris_scratch scratch = digest_scratch(IRIS_HOUGH_BINS_SCRATCH_BYTES(IRIS_HOUGH_REACH(W, H), 60));
+    digest_number(iris_hough_begin(&hough, (iris_size){W, H}, &config, &scratch));
+    for (int32_t i = 0; i < 200; i++) {
+        iris_edge_point point;
+        point.x = (int16_t)digest_between(0, W - 1);
+        point.y = (int16_t)(i % 3 ? digest_between(0, H - 1) : point.x / 2 + 5);
+        point.angle = (iris_angle)(i % 3 ? digest_between(-32768, 32767) : 21000);
+        digest_number(iris_hough_vote_edges(&hough, &point, 1));
+    }
+    digest_bytes(hough.votes, (size_t)hough.rho_bins * 60u * sizeof hough.votes[0]);
+    digest_peaks(&hough);
+}
+
+static void show(void)
+{
+    iris_image gray = digest_canvas(IRIS_GRAY8, W, 20), votes = digest_canvas(IRIS_GRAY_U16, W, 20);
+    for (int32_t i = 0; i < W * 20; i++) {
+        ((uint16_t *)iris_image_row(&votes, i / W))[i % W] = (uint16_t)digest_between(0, 900);
+    }
+    digest_number(iris_votes_show(&gray, &votes));
+    digest_view(&gray);
+}
+
 const digest_operation digest_hough[] = {
     {"hough.every_direction", every_direction},
     {"hough.bounded", bounded},
+    {"hough.directed", directed},
+    {"votes.show", show},
     {NULL, NULL},
 };

@@ -1,5 +1,6 @@
 #include "bench.h"
 
+#include "iris/xt/edge_points.h"
 #include "iris/xt/hough.h"
 #include "iris/xt/regress.h"
 
@@ -19,8 +20,67 @@ static iris_status hough_lines(void)
     return iris_hough_lines(lines, 4, &count, &bench_frame.mask, &config, &bench_frame.scratch);
 }
 
+/* A ninth of the pixels, as edges of a picture full of detail. */
+static iris_image edges;
+static iris_hough_config every_degree;
+
+static void prepare_edges(void)
+{
+    uint32_t seed = 1;
+    edges = bench_canvas(IRIS_MASK1);
+    iris_hough_defaults(&every_degree);
+    every_degree.min_votes = edges.w / 4;
+    for (int32_t i = 0; i < edges.w * edges.h; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        uint32_t *row = (uint32_t *)iris_image_row(&edges, i / edges.w);
+        row[i % edges.w / 32] |= (uint32_t)((seed >> 16) % 9 == 0) << i % edges.w % 32;
+    }
+}
+
+static iris_status hough_edges(void)
+{
+    iris_hough_line lines[16];
+    int32_t count;
+    return iris_hough_lines(lines, 16, &count, &edges, &every_degree, &bench_frame.scratch);
+}
+
+/* Edge points of the frame, of which there are few, and their votes. */
+static iris_edge_point *points;
+static int32_t point_count;
+
+#define POINTS 4096
+
+static void prepare_points(void)
+{
+    points = (iris_edge_point *)iris_scratch_take(&bench_frame.scratch, POINTS * sizeof *points);
+    point_count = 0;
+    (void)iris_edge_points(points, points ? POINTS : 0, &point_count, &bench_frame.gray, NULL,
+                           &bench_frame.scratch);
+    point_count = point_count > POINTS ? POINTS : point_count;
+}
+
+static iris_status hough_points(void)
+{
+    iris_hough hough;
+    iris_hough_line lines[16];
+    int32_t count;
+    size_t start = iris_scratch_mark(&bench_frame.scratch);
+    iris_status status = iris_hough_begin(&hough, (iris_size){bench_frame.gray.w, bench_frame.gray.h}, NULL,
+                                          &bench_frame.scratch);
+    if (status == IRIS_OK) {
+        status = iris_hough_vote_edges(&hough, points, point_count);
+    }
+    if (status == IRIS_OK) {
+        status = iris_hough_peaks(lines, 16, &count, &hough);
+    }
+    iris_scratch_release(&bench_frame.scratch, start);
+    return status;
+}
+
 const bench_case bench_hough[] = {
     {"regression over a mask", regress, NULL},
     {"Hough lines of a mask, 90 angles", hough_lines, NULL},
+    {"Hough lines of a mask, a ninth of it edges", hough_edges, prepare_edges},
+    {"Hough lines of directed edge points", hough_points, prepare_points},
     {0},
 };

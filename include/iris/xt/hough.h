@@ -8,9 +8,18 @@
  * with the origin in the middle of the image: rho is how far the line passes from there, positive to the right of it
  * (level lines at theta -90: above it). theta is also the line's angle as everywhere in IRIS: 0 straight up the image,
  * positive when it leans right. theta and theta + 180 degrees with rho negated are the same line, so the accumulator
- * needs half a turn only, and its last angle is the neighbor of its first. Report, sections 2.4.1 to 2.4.4 and 3.3.3
- * (StraightLineDetector); R. O. Duda and P. E. Hart, "Use of the Hough transformation to detect lines and curves in
- * pictures", 1972.
+ * needs half a turn only, and its last angle is the neighbor of its first.
+ *
+ * theta may go through the full circle, too: then it says on which side of the line the picture is bright, for points
+ * that know their direction (edge_points.h; theta is where it gets brighter), and both edges of a bright stripe are
+ * lines of opposite theta. For points without direction, each line comes twice then, or once with rho_min 0: the form of
+ * the report, theta of a whole turn and rho not negative.
+ *
+ * Points with a direction vote for lines near to it alone: an eighth of the votes, and far fewer by chance.
+ *
+ * Report, sections 2.4.1 to 2.4.4 and 3.3.3 (StraightLineDetector); R. O. Duda and P. E. Hart, "Use of the Hough
+ * transformation to detect lines and curves in pictures", 1972; F. O'Gorman and M. B. Clowes, "Finding picture edges
+ * through collinearity of feature points", 1976 (direction).
  */
 #ifndef IRIS_XT_HOUGH_H
 #define IRIS_XT_HOUGH_H
@@ -19,6 +28,7 @@
 #include "iris/image.h"
 #include "iris/scratch.h"
 #include "iris/status.h"
+#include "iris/xt/edge_points.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,24 +37,30 @@ extern "C" {
 #define IRIS_HOUGH_THETA_BINS_MAX 4096
 #define IRIS_HOUGH_RHO_STEP_MAX   64
 #define IRIS_HOUGH_SEPARATION_MAX 255
+#define IRIS_HOUGH_SPREAD_MAX     16383
 
 /* theta bin k stands for angle_min + k * span / theta_bins, where span is what lies between the bounds; angle_max is
- * not a bin itself. angle_max below angle_min: through the level lines (60 to -60 degrees is 60 to 120). Both the same,
- * or -90 and 90 degrees: every direction.
+ * not a bin itself. angle_max below angle_min: through the level lines (60 to -60 degrees is 60 to 120), with
+ * full_circle through 180 degrees. Both the same, or half a turn (a full one with full_circle) apart: every direction.
  * rho bin i holds rho_min + i * rho_step up to below rho_min + (i + 1) * rho_step.
  * Of two lines that are not farther apart than both separations, only the better counts. */
 typedef struct {
-    iris_angle angle_min, angle_max; /* each -16384..16384 (-90 to 90 degrees); default -16384 and 16384 */
+    iris_angle angle_min, angle_max; /* each -16384..16384 (-90 to 90 degrees), with full_circle any;
+                                        default -16384 and 16384 */
     int32_t theta_bins;              /* 1..IRIS_HOUGH_THETA_BINS_MAX; default 180 */
     int32_t rho_min, rho_max; /* pixels, rho_min < rho_max; cut to the image's reach; default -32767, 32767 */
     int32_t rho_step;         /* pixels: 1, 2, 4 .. IRIS_HOUGH_RHO_STEP_MAX; default 1 */
     int32_t min_votes;        /* 1..65535: points that a line has at least; default 50 */
     int32_t theta_separation; /* bins, 0..IRIS_HOUGH_SEPARATION_MAX; default 8 */
     int32_t rho_separation;   /* bins, 0..IRIS_HOUGH_SEPARATION_MAX; default 12 */
+    int32_t
+        full_circle;   /* 1: theta is within a full turn (set the bounds, too); 0, the default: half a turn */
+    iris_angle spread; /* a point with a direction votes up to so far from it on both sides,
+                                 0..IRIS_HOUGH_SPREAD_MAX; default 1820 (10 degrees) */
 } iris_hough_config;
 
 typedef struct {
-    iris_angle angle; /* -90 up to below 90 degrees */
+    iris_angle angle; /* -90 up to below 90 degrees; with full_circle -180 up to below 180 */
     iris_q16 rho_q16; /* pixels from the middle of the image */
     int32_t votes;    /* in the best bin; saturates at 65535 */
 } iris_hough_line;
@@ -75,9 +91,10 @@ typedef struct {
 typedef struct {
     iris_hough_config config; /* rho_min and rho_max cut to the image */
     iris_size size;
-    int32_t span;     /* between the bounds of the angle, 1..32768 */
+    int32_t span;     /* between the bounds of the angle, 1..65536 */
     int32_t rho_bins; /* IRIS_SIDE_MAX at most */
     int32_t shift;    /* rho with 15 fraction bits to bin */
+    int32_t room;     /* so many points may vote before a bin could saturate; 0 when some are out of bounds */
     /* in the caller's working memory: */
     int16_t *sines;  /* cosine and sine per theta bin, 14 fraction bits */
     uint16_t *votes; /* theta_bins rows of rho_bins */
@@ -102,6 +119,18 @@ iris_status iris_hough_vote(iris_hough *hough, int32_t twice_x, int32_t twice_y)
  * Errors as iris_hough_vote. O(w / 32 + votes), a multiplication per vote. */
 iris_status iris_hough_vote_row(iris_hough *hough, const uint32_t *mask_row, int32_t y);
 
+/* All selected pixels of a mask of the transform's size vote: the same as row by row, in half the time.
+ * IRIS_ERR_ARG: null pointer; the errors of iris_image_check; IRIS_ERR_FORMAT: mask is not IRIS_MASK1; IRIS_ERR_RANGE:
+ * another size. O(pixels / 32 + votes). */
+iris_status iris_hough_vote_mask(iris_hough *hough, const iris_image *mask);
+
+/* Points with a direction vote: each in the theta bins from that nearest to its angle - spread to that nearest to its
+ * angle + spread, so in one at least when the bounds hold its direction. Without full_circle a direction and its opposite
+ * are the same.
+ * IRIS_ERR_ARG: null pointer, or a negative count; IRIS_ERR_RANGE: a point outside the image; then none votes.
+ * O(count * bins of theta within the spread on both sides), two multiplications per vote. */
+iris_status iris_hough_vote_edges(iris_hough *hough, const iris_edge_point *points, int32_t count);
+
 /* The best lines, best first; of equal ones that with the smaller theta bin, then the smaller rho bin, first. A line is
  * a bin of at least min_votes that no bin within the separations surpasses (theta wraps around when it covers every
  * direction); angle and rho are refined between the bins. *count is the number of all lines found. votes of earlier
@@ -125,7 +154,7 @@ iris_status iris_hough_lines(iris_hough_line *lines, int32_t capacity, int32_t *
                              const iris_hough_config *config, iris_scratch *scratch);
 
 /* The accumulator as a picture: *view is an IRIS_GRAY_U16 view of the votes in the working memory, a column per rho
- * bin, a row per theta bin.
+ * bin, a row per theta bin. votes.h makes it one to look at.
  * IRIS_ERR_ARG: null pointer. O(1). */
 iris_status iris_hough_accumulator(iris_image *view, const iris_hough *hough);
 

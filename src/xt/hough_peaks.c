@@ -1,0 +1,108 @@
+/* What many points agree on. */
+#include "hough_parts.h"
+
+/* Where the votes of a bin are; -1 outside the bounds. Where theta covers every direction, the angle behind the last is
+ * the first: with rho negated when it took half a turn. Where it is a whole turn and rho begins at 0, what is below 0 is
+ * the opposite direction's. */
+static int32_t bin_index(const iris_hough *hough, int32_t theta, int32_t rho)
+{
+    int32_t angles = hough->config.theta_bins, full = hough->config.full_circle;
+    int wraps = hough->span == hough_turn(hough);
+    if (wraps && full && rho < 0 && hough->config.rho_min == 0 && angles % 2 == 0) {
+        theta += theta < angles / 2 ? angles / 2 : -angles / 2;
+        rho = -1 - rho;
+    }
+    if (wraps && hough_outside(theta, 0, angles - 1)) {
+        theta += theta < 0 ? angles : -angles;
+        rho = full ? rho : -2 * hough->config.rho_min / hough->config.rho_step - 1 - rho;
+    }
+    if (hough_outside(theta, 0, angles - 1) || hough_outside(rho, 0, hough->rho_bins - 1)) {
+        return -1;
+    }
+    return theta * hough->rho_bins + rho;
+}
+
+/* Does no bin within the separations have more votes, or as many and come first? */
+static int is_peak(const iris_hough *hough, int32_t theta, int32_t rho)
+{
+    int32_t reach = hough->config.theta_separation, far = hough->config.rho_separation;
+    int32_t here = theta * hough->rho_bins + rho;
+    if (reach > (hough->config.theta_bins - 1) / 2 && hough->span == hough_turn(hough)) {
+        reach = (hough->config.theta_bins - 1) / 2; /* each angle once */
+    }
+    for (int32_t t = -reach; t <= reach; t++) {
+        for (int32_t r = -far; r <= far; r++) {
+            int32_t there = bin_index(hough, theta + t, rho + r);
+            if (there >= 0 && (hough->votes[there] > hough->votes[here] ||
+                               (there < here && hough->votes[there] == hough->votes[here]))) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+/* The line of a peak. Between the bins it is at the center of gravity of what the peak and its eight
+ * neighbors have beyond half of the peak's votes. */
+static iris_hough_line line_at(const iris_hough *hough, int32_t theta, int32_t rho)
+{
+    int32_t votes = hough->votes[theta * hough->rho_bins + rho];
+    int32_t sum = votes - votes / 2, theta_sum = 0, rho_sum = 0; /* of the peak itself: above 0 */
+    for (int32_t t = -1; t <= 1; t++) {
+        for (int32_t r = -1; r <= 1; r++) {
+            int32_t there = bin_index(hough, theta + t, rho + r);
+            int32_t weight = there < 0 ? 0 : hough->votes[there] - votes / 2;
+            if (weight > 0 && (t != 0 || r != 0)) {
+                sum += weight;
+                theta_sum += t * weight;
+                rho_sum += r * weight;
+            }
+        }
+    }
+    /* six weights, each of at most 2^15, times 2^9 stay below 2^27 */
+    int32_t angle = hough_bin_angle(hough, theta) +
+                    theta_sum * 256 / sum * hough->span / (256 * hough->config.theta_bins);
+    int32_t rho_q9 =
+        hough->config.rho_min * 512 + (rho * 512 + 256 + rho_sum * 512 / sum) * hough->config.rho_step;
+    while (!hough->config.full_circle &&
+           hough_outside(angle, -HOUGH_HALF_TURN / 2, HOUGH_HALF_TURN / 2 - 1)) {
+        angle += angle < 0 ? HOUGH_HALF_TURN : -HOUGH_HALF_TURN;
+        rho_q9 = -rho_q9;
+    }
+    return (iris_hough_line){iris_angle_wrap(angle), rho_q9 * 128, votes};
+}
+
+/* Puts a line behind those that are as good, if there is room. */
+static void insert(iris_hough_line *lines, int32_t capacity, int32_t count, iris_hough_line line)
+{
+    int32_t at = count < capacity ? count : capacity;
+    while (at > 0 && lines[at - 1].votes < line.votes) {
+        if (at < capacity) {
+            lines[at] = lines[at - 1];
+        }
+        at--;
+    }
+    if (at < capacity) {
+        lines[at] = line;
+    }
+}
+
+iris_status iris_hough_peaks(iris_hough_line *lines, int32_t capacity, int32_t *count,
+                             const iris_hough *hough)
+{
+    if (!count || !hough || !hough->votes || capacity < 0 || (!lines && capacity > 0)) {
+        return IRIS_ERR_ARG;
+    }
+    int32_t found = 0;
+    const uint16_t *row = hough->votes;
+    for (int32_t theta = 0; theta < hough->config.theta_bins; theta++, row += hough->rho_bins) {
+        for (int32_t rho = 0; rho < hough->rho_bins; rho++) {
+            if (row[rho] >= hough->config.min_votes && is_peak(hough, theta, rho)) {
+                insert(lines, capacity, found, line_at(hough, theta, rho));
+                found++;
+            }
+        }
+    }
+    *count = found;
+    return found > capacity ? IRIS_ERR_FULL : IRIS_OK;
+}
