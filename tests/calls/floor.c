@@ -1,5 +1,5 @@
-/* The floor: fits, points, angles. */
-#include "iris/xt/floor.h"
+/* The floor: fits, points, angles, texts, and bird's-eye views. */
+#include "iris/xt/birdseye.h"
 
 #include "calls.h"
 
@@ -102,9 +102,115 @@ static void foot(void)
     CALL(iris_floor_foot(mm, floor, box));
 }
 
+static void write_text(void)
+{
+    const iris_floor *floor = any_floor();
+    size_t capacity = draw_chance(3) ? (size_t)draw_within(0, IRIS_FLOOR_TEXT_BYTES) : IRIS_FLOOR_TEXT_BYTES;
+    char *text = OR_NULL(draw_results(capacity));
+    size_t *length = OR_NULL(draw_results(sizeof *length));
+    CALL(iris_floor_write_text(text, capacity, length, floor));
+}
+
+static void read_text(void)
+{
+    char text[IRIS_FLOOR_TEXT_BYTES] = "iris floor 1";
+    size_t length = 12;
+    const iris_floor *floor = any_floor();
+    if (floor) {
+        (void)iris_floor_write_text(text, sizeof text, &length, floor);
+    }
+    if (draw_chance(2)) {
+        text[draw_below((uint32_t)length)] ^= (char)draw_below(128);
+    }
+    iris_floor *to = OR_NULL(draw_results(sizeof *to));
+    int32_t *line = OR_NULL(draw_state(NULL, sizeof *line));
+    length = draw_chance(4) ? draw_below((uint32_t)length + 1) : length;
+    const char *given = OR_NULL(draw_given(text, length));
+    CALL(iris_floor_read_text(to, line, given, length));
+}
+
+static iris_birdseye_window any_window(void)
+{
+    iris_birdseye_window window = {.size = draw_size(),
+                                   .corner = iris_place_of(draw_within(-300, 100), draw_within(100, 2000)),
+                                   .mm_per_pixel_q16 = draw_within(60000, 800000),
+                                   .fill = (uint8_t)draw_below(256)};
+    if (draw_chance(10)) {
+        window.mm_per_pixel_q16 = draw_int(IRIS_BIRDSEYE_SCALE_MIN, IRIS_BIRDSEYE_SCALE_MAX);
+    }
+    return window;
+}
+
+static void birdseye_init(void)
+{
+    const iris_floor *floor = any_floor();
+    iris_birdseye_window window = any_window();
+    iris_birdseye *birdseye = OR_NULL(draw_results(sizeof *birdseye));
+    const iris_birdseye_window *given = OR_NULL(draw_given(&window, sizeof window));
+    CALL(iris_birdseye_init(birdseye, floor, given));
+}
+
+/* A view of pictures of this size; rarely null. */
+static const iris_birdseye *any_birdseye(iris_size size, iris_size *map)
+{
+    iris_birdseye birdseye;
+    iris_floor floor;
+    iris_birdseye_window window = any_window();
+    const iris_floor *drawn = any_floor();
+    *map = window.size;
+    if (!drawn) {
+        return NULL;
+    }
+    floor = *drawn;
+    floor.size = size;
+    if (iris_birdseye_init(&birdseye, &floor, &window) != IRIS_OK) {
+        return NULL;
+    }
+    return OR_NULL(draw_given(&birdseye, sizeof birdseye));
+}
+
+static void birdseye_draw(void)
+{
+    iris_size size = draw_size(), map;
+    iris_format format = draw_gray_or_color();
+    const iris_birdseye *birdseye = any_birdseye(size, &map);
+    const iris_image *src = draw_input(format, size), *dst = draw_output(format, map);
+    CALL(iris_birdseye_draw(dst, src, birdseye));
+}
+
+static void birdseye_row(void)
+{
+    iris_size size = draw_size(), map;
+    iris_format format = draw_gray_or_color();
+    const iris_birdseye *birdseye = any_birdseye(size, &map);
+    const iris_image *src = draw_input(format, size);
+    void *pixels = OR_NULL(draw_results(3 * 70));
+    int32_t y = draw_int(0, map.h);
+    CALL(iris_birdseye_row(pixels, birdseye, src, y));
+}
+
+static void birdseye_places(void)
+{
+    iris_size map;
+    const iris_birdseye *birdseye = any_birdseye(draw_size(), &map);
+    iris_place *places = OR_NULL(draw_results(70 * sizeof *places));
+    int32_t y = draw_int(0, map.h);
+    CALL(iris_birdseye_places(places, birdseye, y));
+}
+
 const random_call calls_floor[] = {
-    {"iris_floor_fit", fit},     {"iris_floor_init", init},
-    {"iris_floor_point", point}, {"iris_floor_image", image},
-    {"iris_floor_angle", angle}, {"iris_floor_segment", segment},
-    {"iris_floor_foot", foot},   {NULL, NULL},
+    {"iris_floor_fit", fit},
+    {"iris_floor_init", init},
+    {"iris_floor_point", point},
+    {"iris_floor_image", image},
+    {"iris_floor_angle", angle},
+    {"iris_floor_segment", segment},
+    {"iris_floor_foot", foot},
+    {"iris_floor_write_text", write_text},
+    {"iris_floor_read_text", read_text},
+    {"iris_birdseye_init", birdseye_init},
+    {"iris_birdseye_draw", birdseye_draw},
+    {"iris_birdseye_row", birdseye_row},
+    {"iris_birdseye_places", birdseye_places},
+    {NULL, NULL},
 };

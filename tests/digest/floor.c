@@ -1,6 +1,6 @@
 #include "digest.h"
 
-#include "iris/xt/floor.h"
+#include "iris/xt/birdseye.h"
 
 /* A camera 200 mm above the floor, by its formula, read off with errors. */
 static void draw_marks(iris_floor_mark *marks, int32_t count)
@@ -67,8 +67,76 @@ static void points(void)
     }
 }
 
+static void text(void)
+{
+    iris_floor floor, again = {.size = {0, 0}};
+    char made[IRIS_FLOOR_TEXT_BYTES];
+    size_t length = 0;
+    int32_t line = 0;
+    if (digest_fit(&floor, 7)) {
+        digest_number(iris_floor_write_text(made, sizeof made, &length, &floor));
+        digest_bytes(made, length);
+        digest_number(iris_floor_read_text(&again, &line, made, length));
+        digest_number(again.to_floor[5]);
+        digest_number(iris_floor_read_text(&again, &line, made, length / 2));
+        digest_number(line);
+    }
+}
+
+static void draw_map(iris_format format)
+{
+    iris_floor floor;
+    iris_birdseye birdseye;
+    iris_birdseye_window window = {
+        .size = {48, 32}, .corner = iris_place_of(-200, 700), .mm_per_pixel_q16 = 500000, .fill = 9};
+    if (!digest_fit(&floor, 9)) {
+        return;
+    }
+    for (int i = 0; i < 6; i++) { /* pictures of 40x30, an eighth of those the marks are of */
+        floor.to_image_q32[i] /= 8;
+    }
+    floor.to_image_q32[1] += 4 * floor.to_image_q32[7]; /* and turned, so that depths change along rows */
+    floor.to_image_q32[6] += floor.to_image_q32[7] / 3;
+    digest_number(iris_floor_init(&floor, (iris_size){40, 30}, floor.to_image_q32));
+    iris_image src = digest_picture(format, 40, 30), dst = digest_canvas(format, 48, 32);
+    digest_number(iris_birdseye_init(&birdseye, &floor, &window));
+    digest_number(iris_birdseye_draw(&dst, &src, &birdseye));
+    digest_view(&dst);
+}
+
+static void birdseye_gray(void)
+{
+    draw_map(IRIS_GRAY8);
+}
+
+static void birdseye_color(void)
+{
+    draw_map(IRIS_RGB888);
+}
+
+static void birdseye_places(void)
+{
+    iris_floor floor;
+    iris_birdseye birdseye;
+    iris_place places[64];
+    iris_birdseye_window window = {
+        .size = {64, 48}, .corner = iris_place_of(-300, 1400), .mm_per_pixel_q16 = 900000};
+    if (!digest_fit(&floor, 9)) {
+        return;
+    }
+    digest_number(iris_birdseye_init(&birdseye, &floor, &window));
+    for (int32_t y = 0; y < 48; y += 5) {
+        digest_number(iris_birdseye_places(places, &birdseye, y));
+        digest_bytes(places, sizeof places);
+    }
+}
+
 const digest_operation digest_floor[] = {
     {"floor.fit", fit},
     {"floor.points", points},
+    {"floor.text", text},
+    {"floor.birdseye_gray", birdseye_gray},
+    {"floor.birdseye_color", birdseye_color},
+    {"floor.birdseye_places", birdseye_places},
     {NULL, NULL},
 };

@@ -1,6 +1,6 @@
 #include "bench.h"
 
-#include "iris/xt/floor.h"
+#include "iris/xt/birdseye.h"
 
 /* A camera 200 mm above the floor and 45 degrees down, for the frame's size. */
 static iris_floor floor_below;
@@ -42,8 +42,30 @@ static iris_status angle(void)
     return status;
 }
 
+/* A window that the frame fills but for its corners. */
+static iris_status draw(const iris_image *dst, const iris_image *src)
+{
+    iris_birdseye birdseye;
+    iris_birdseye_window window = {.size = {src->w, src->h}, .corner = iris_place_of(-80, 300)};
+    window.mm_per_pixel_q16 = 160 * 65536 / src->w;
+    iris_status status = iris_birdseye_init(&birdseye, &floor_below, &window);
+    return status == IRIS_OK ? iris_birdseye_draw(dst, src, &birdseye) : status;
+}
+
+static iris_status birdseye_gray(void)
+{
+    return draw(&bench_frame.gray_to, &bench_frame.gray);
+}
+
+static iris_status birdseye_color(void)
+{
+    return draw(&bench_frame.rgb_to, &bench_frame.rgb);
+}
+
 const bench_case bench_floor[] = {
     {"floor: 192 points to millimeters", point, prepare},
     {"floor: 192 directions to true angles", angle, prepare},
+    {"bird's-eye view of gray", birdseye_gray, prepare},
+    {"bird's-eye view of color", birdseye_color, prepare},
     {0},
 };

@@ -110,6 +110,29 @@ iris_status iris_floor_segment(iris_floor_line *line, const iris_floor *floor, i
  * Errors as iris_floor_point; IRIS_ERR_RANGE: a box outside of 0..IRIS_SIDE_MAX. O(1). */
 iris_status iris_floor_foot(iris_place *mm, const iris_floor *floor, iris_rect box);
 
+/* A floor as a text that people can read, to keep in a file or to copy into firmware:
+ *
+ *     iris floor 1
+ *     size 320 240
+ *     image_from_floor_q32             m0 to m8, three in a line, times 2^32
+ *     3435973836 0 687194767360
+ *     0 -12884901 85899345920
+ *     0 21474836 4294967296
+ *     check 09AF31C7                   over the size and the nine numbers
+ *
+ * Empty lines, spaces, and what stands behind a # do not count. */
+#define IRIS_FLOOR_TEXT_BYTES 288 /* enough for every floor, with the 0 at the end */
+
+/* *length: without the 0. IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: more than `capacity` bytes, or not a floor that
+ * iris_floor_init would make. O(1). */
+iris_status iris_floor_write_text(char *text, size_t capacity, size_t *length, const iris_floor *floor);
+
+/* Reads `bytes` bytes of any content; a 0 at their end is no part of the text.
+ * IRIS_ERR_ARG: null pointer. The others set *line, the line that is wrong, from 1, and nothing else:
+ * IRIS_ERR_UNSUPPORTED: a later version; IRIS_ERR_TRUNCATED: the text ends early; IRIS_ERR_DATA: anything else, a
+ * wrong check among them. O(bytes). */
+iris_status iris_floor_read_text(iris_floor *floor, int32_t *line, const char *text, size_t bytes);
+
 /* The place of a pixel. Wraps outside of -32768..32767. */
 static inline iris_place iris_place_of(int32_t x, int32_t y)
 {
