@@ -1,6 +1,7 @@
 #include "digest.h"
 
 #include "iris/xt/contour.h"
+#include "iris/xt/moments.h"
 #include "iris/xt/threshold.h"
 
 #define W 131
@@ -35,7 +36,21 @@ static void contours(void)
     }
 }
 
+static void moments(void)
+{
+    iris_image mask = bright(128);
+    iris_mask_moments sums = {0};
+    iris_invariants v = {0};
+    digest_number(iris_mask_moments_sum(&sums, &mask));
+    digest_number(iris_moments_invariants(&v, &sums));
+    digest_bytes(&sums, sizeof sums);
+    digest_number(v.x_q16);
+    digest_number(v.y_q16);
+    digest_bytes(v.hu_q40, sizeof v.hu_q40);
+}
+
 const digest_operation digest_shape[] = {
     {"shape.contours", contours},
+    {"shape.moments", moments},
     {NULL, NULL},
 };
