@@ -7,6 +7,7 @@
 /* argv[0] is the command's name; each returns an exit code and has complained unless it is EXIT_DONE. */
 int cmd_info(int argc, char **argv);
 int cmd_follow(int argc, char **argv);
+int cmd_floor(int argc, char **argv);
 int cmd_pipe(int argc, char **argv);
 
 /* operation_<name> of each. */

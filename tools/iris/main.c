@@ -21,6 +21,7 @@ static const command commands[] = {
     {"info", cmd_info, "format, size, bits, and kind of pictures"},
     {"pipe", cmd_pipe, "several operations, one after the other"},
     {"follow", cmd_follow, "the line on the floor, and how to steer"},
+    {"floor", cmd_floor, "from marks on the floor to millimeters"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
