@@ -115,7 +115,7 @@ static void draw(const iris_image *color, const finding *found)
         canvas_rect(&c, blob->box, canvas_color(i));
         if (blob->area > 1) {
             canvas_line(&c, (canvas_point){x - dx, y - dy}, (canvas_point){x + dx, y + dy}, canvas_color(i));
-            canvas_cross(&c, (canvas_point){x, y}, 2, (iris_color){255, 255, 255});
+            canvas_cross(&c, (canvas_point){x, y}, 3, canvas_color(i));
         }
     }
 }

@@ -48,6 +48,7 @@ int main(int argc, char **argv)
     score_skeleton(&s);
     score_quadtree(&s);
     score_edges(&s);
+    score_blobs(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;

@@ -31,16 +31,16 @@ extern "C" {
  * rectangle. holes are the parts of the rest that it encloses; such a part hangs together by sides, with
  * 4-connectivity by corners, too. */
 typedef struct {
-    iris_moments moments; /* sums over its pixels: n, x, y, xx, xy, yy; iris_regress_moments takes them */
-    iris_rect box;        /* the smallest around it */
-    int32_t first_x;      /* of its first pixel */
-    int32_t area;         /* pixels */
+    iris_rect box;   /* the smallest around it */
+    int32_t first_x; /* of its first pixel */
+    int32_t area;    /* pixels */
     iris_q16 x_q16,
         y_q16; /* center of gravity, pixels, rounded half up; a single pixel's is the pixel itself */
     int32_t edges;
     int32_t corners;
     int32_t holes;
     iris_color mean; /* of its pixels in the picture, rounded half up; gray: r = g = b; 0 without a picture */
+    iris_moments moments; /* sums over its pixels: n, x, y, xx, xy, yy; iris_regress_moments takes them */
 } iris_blob;
 
 /* Which blobs count. All bounds are inclusive; a blob has to meet them all. */
