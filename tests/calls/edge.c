@@ -4,6 +4,7 @@
 #include "calls.h"
 #include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
+#include "iris/xt/canny_adapt.h"
 #include "iris/xt/edge_points.h"
 
 static iris_edge_config config;
@@ -125,6 +126,21 @@ static void edge_points(void)
     CALL(iris_edge_points(points, capacity, count, src, given, scratch));
 }
 
+static void canny_adapt(void)
+{
+    iris_size size = draw_size();
+    iris_canny_config canny = {draw_chance(2) ? 0 : draw_int(IRIS_BLUR_SIGMA_MIN, 200000), 1, 2};
+    int smooths = canny.sigma_q16 >= IRIS_BLUR_SIGMA_MIN && canny.sigma_q16 <= IRIS_BLUR_SIGMA_MAX;
+    iris_canny_config *to = OR_NULL(draw_results(sizeof *to));
+    if (to) {
+        *to = canny;
+    }
+    const iris_image *src = draw_input(IRIS_GRAY8, size);
+    iris_scratch *scratch = draw_scratch_up_to(
+        size.w > 0 ? IRIS_CANNY_ADAPT_SCRATCH_BYTES(size.w, smooths ? canny.sigma_q16 : 0) : 0);
+    CALL(iris_canny_adapt(to, src, scratch));
+}
+
 const random_call calls_edge[] = {
     {"iris_edge_gradient", gradient},
     {"iris_edge_magnitude", magnitude},
@@ -133,5 +149,6 @@ const random_call calls_edge[] = {
     {"iris_canny", canny},
     {"iris_automaton", automaton},
     {"iris_edge_points", edge_points},
+    {"iris_canny_adapt", canny_adapt},
     {NULL, NULL},
 };

@@ -2,6 +2,7 @@
 
 #include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
+#include "iris/xt/canny_adapt.h"
 #include "iris/xt/edge.h"
 #include "iris/xt/edge_points.h"
 
@@ -125,8 +126,22 @@ static void points(void)
     }
 }
 
+static void adapt(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H);
+    for (int32_t i = 0; i < 2; i++) {
+        iris_canny_config config = {i * 91750, 0, 0};
+        iris_scratch scratch = digest_scratch(IRIS_CANNY_ADAPT_SCRATCH_BYTES(W, config.sigma_q16));
+        digest_number(iris_canny_adapt(&config, &gray, &scratch));
+        digest_number(config.low);
+        digest_number(config.high);
+    }
+}
+
 const digest_operation digest_edge[] = {
-    {"edge.gradient", gradient},   {"edge.magnitude", magnitude}, {"edge.direction", direction},
-    {"edge.mask", mask},           {"edge.log", log_mask},        {"canny.mask", canny},
-    {"automaton.mask", automaton}, {"edge.points", points},       {NULL, NULL},
+    {"edge.gradient", gradient},   {"edge.magnitude", magnitude},
+    {"edge.direction", direction}, {"edge.mask", mask},
+    {"edge.log", log_mask},        {"canny.mask", canny},
+    {"automaton.mask", automaton}, {"edge.points", points},
+    {"canny.adapt", adapt},        {NULL, NULL},
 };

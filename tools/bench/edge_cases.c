@@ -2,6 +2,7 @@
 
 #include "iris/xt/automaton.h"
 #include "iris/xt/canny.h"
+#include "iris/xt/canny_adapt.h"
 #include "iris/xt/edge.h"
 #include "iris/xt/edge_points.h"
 
@@ -110,6 +111,13 @@ static iris_status points(void)
                             &bench_frame.scratch);
 }
 
+static iris_status adapt(void)
+{
+    iris_canny_config config;
+    iris_canny_defaults(&config);
+    return iris_canny_adapt(&config, &bench_frame.gray, &bench_frame.scratch);
+}
+
 static iris_status automaton(void)
 {
     return iris_automaton(&bench_frame.mask_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
@@ -130,5 +138,6 @@ const bench_case bench_edge[] = {
     {"edges, Canny, sigma 1.4", canny, NULL},
     {"edges, Canny, not smoothed", canny_unsmoothed, NULL},
     {"edge points, sigma 1.4", points, prepare_points},
+    {"edges, thresholds for Canny, sigma 1.4", adapt, NULL},
     {0},
 };
