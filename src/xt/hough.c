@@ -318,11 +318,8 @@ iris_status iris_hough_vote_edges(iris_hough *hough, const iris_edge_point *poin
     if (!hough || !hough->votes || count < 0 || (!points && count > 0)) {
         return IRIS_ERR_ARG;
     }
-    for (int32_t i = 0; i < count; i++) {
-        if (hough_outside(points[i].x, 0, hough->size.w - 1) ||
-            hough_outside(points[i].y, 0, hough->size.h - 1)) {
-            return IRIS_ERR_RANGE;
-        }
+    if (!hough_edges_fit(points, count, hough->size)) {
+        return IRIS_ERR_RANGE;
     }
     hough->room = hough->room > count ? hough->room - count : 0;
     const int32_t turn = hough_turn(hough), spread = hough->config.spread;

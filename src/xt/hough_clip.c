@@ -11,18 +11,54 @@ static iris_q30 reciprocal(iris_q30 a)
     return r;
 }
 
-/* A line a = start + slope * b, where b is the axis that it follows more closely. */
-typedef struct {
-    int64_t start_q16;
-    iris_q30 slope;
-    int32_t a_side; /* of the image along a */
-} walk;
-
-/* The pixel a of the line at b, or -1 outside the image. */
-static int32_t walk_at(const walk *w, int32_t b)
+hough_walk hough_walk_along(const iris_hough_line *line, iris_size size)
 {
-    int64_t a = iris_round_shift(w->start_q16 + iris_round_shift((int64_t)w->slope * b, 14), 16);
-    return a >= 0 && a < w->a_side ? (int32_t)a : -1;
+    iris_q30 along = iris_cos_q30(line->angle), across = iris_sin_q30(line->angle);
+    int upright = (along < 0 ? -along : along) >= (across < 0 ? -across : across);
+    hough_walk path = {
+        .is_upright = upright, .a_side = upright ? size.w : size.h, .b_side = upright ? size.h : size.w};
+    if (!upright) {
+        iris_q30 other = along;
+        along = across;
+        across = other;
+    }
+    iris_q30 inverse = along < 0 ? -reciprocal(-along) : reciprocal(along);
+    path.straightness = along < 0 ? -along : along;
+    path.slope = -iris_q30_mul(across, inverse);
+    path.start_q16 = iris_round_shift((int64_t)line->rho_q16 * inverse, 30) +
+                     (int64_t)(path.a_side - 1) * 32768 -
+                     iris_round_shift((int64_t)path.slope * (path.b_side - 1), 15);
+    return path;
+}
+
+int64_t hough_walk_at(const hough_walk *path, int32_t b)
+{
+    return iris_round_shift(path->start_q16 + iris_round_shift((int64_t)path->slope * b, 14), 16);
+}
+
+static int is_inside(const hough_walk *path, int32_t b)
+{
+    int64_t a = hough_walk_at(path, b);
+    return a >= 0 && a < path->a_side;
+}
+
+/* Of the pixel at b, or the nearest in the image. */
+static int32_t a_within(const hough_walk *path, int32_t b)
+{
+    int64_t a = hough_walk_at(path, b);
+    return (int32_t)(a < 0 ? 0 : a >= path->a_side ? path->a_side - 1 : a);
+}
+
+iris_hough_ends hough_walk_ends(const hough_walk *path, int32_t first, int32_t last)
+{
+    int32_t a_first = a_within(path, first), a_last = a_within(path, last);
+    if (path->is_upright) {
+        return (iris_hough_ends){a_last, last, a_first, first};
+    }
+    if (a_last > a_first) {
+        return (iris_hough_ends){last, a_last, first, a_first};
+    }
+    return (iris_hough_ends){first, a_first, last, a_last};
 }
 
 iris_status iris_hough_clip(iris_hough_ends *ends, const iris_hough_line *line, iris_size size)
@@ -33,37 +69,17 @@ iris_status iris_hough_clip(iris_hough_ends *ends, const iris_hough_line *line, 
     if (hough_size_is_bad(size)) {
         return IRIS_ERR_RANGE;
     }
-    iris_q30 along = iris_cos_q30(line->angle), across = iris_sin_q30(line->angle);
-    int upright = (along < 0 ? -along : along) >= (across < 0 ? -across : across);
-    int32_t b_side = upright ? size.h : size.w;
-    walk path = {.a_side = upright ? size.w : size.h};
-    if (!upright) {
-        iris_q30 other = along;
-        along = across;
-        across = other;
-    }
-    iris_q30 inverse = along < 0 ? -reciprocal(-along) : reciprocal(along);
-    path.slope = -iris_q30_mul(across, inverse);
-    path.start_q16 = iris_round_shift((int64_t)line->rho_q16 * inverse, 30) +
-                     (int64_t)(path.a_side - 1) * 32768 -
-                     iris_round_shift((int64_t)path.slope * (b_side - 1), 15);
-    int32_t first = 0, last = b_side - 1;
-    while (first <= last && walk_at(&path, first) < 0) {
+    hough_walk path = hough_walk_along(line, size);
+    int32_t first = 0, last = path.b_side - 1;
+    while (first <= last && !is_inside(&path, first)) {
         first++;
     }
     if (first > last) {
         return IRIS_ERR_RANGE;
     }
-    while (walk_at(&path, last) < 0) {
+    while (!is_inside(&path, last)) {
         last--;
     }
-    int32_t a_first = walk_at(&path, first), a_last = walk_at(&path, last);
-    if (upright) {
-        *ends = (iris_hough_ends){a_last, last, a_first, first};
-    } else if (a_last > a_first) {
-        *ends = (iris_hough_ends){last, a_last, first, a_first};
-    } else {
-        *ends = (iris_hough_ends){first, a_first, last, a_last};
-    }
+    *ends = hough_walk_ends(&path, first, last);
     return IRIS_OK;
 }

@@ -2,6 +2,7 @@
 #include "iris/xt/hough.h"
 
 #include "calls.h"
+#include "iris/xt/hough_segments.h"
 #include "iris/xt/regress.h"
 #include "iris/xt/votes.h"
 
@@ -142,6 +143,62 @@ static void clip(void)
     CALL(iris_hough_clip(ends, given, size));
 }
 
+static iris_hough_segment_config any_segment_config(void)
+{
+    iris_hough_segment_config config;
+    iris_hough_segment_defaults(&config);
+    config.max_gap = draw_int(0, 10);
+    config.min_length = draw_int(1, 30);
+    config.reach_q16 = draw_int(0, 3 * 65536);
+    config.spread = (iris_angle)draw_int(0, IRIS_HOUGH_SPREAD_MAX);
+    config.full_circle = draw_chance(20) ? draw_int(0, 1) : draw_within(0, 1);
+    return config;
+}
+
+static size_t segment_scratch(iris_size size)
+{
+    return IRIS_HOUGH_SEGMENT_SCRATCH_BYTES(size.w, size.h);
+}
+
+static void segment_of_mask(void)
+{
+    iris_size size = draw_size();
+    iris_hough_line line = {(iris_angle)draw_below(65536), draw_within(-40, 40) * 65536, 0};
+    iris_hough_segment_config config = any_segment_config();
+    iris_hough_segment *segment = OR_NULL(draw_results(sizeof *segment));
+    const iris_image *mask = draw_output(IRIS_MASK1, size);
+    const iris_hough_line *given = OR_NULL(draw_given(&line, sizeof line));
+    const iris_hough_segment_config *by = OR_NULL(draw_given(&config, sizeof config));
+    iris_scratch *scratch = draw_scratch(segment_scratch(size));
+    CALL(iris_hough_segment_of_mask(segment, mask, given, by, scratch));
+}
+
+/* Points on and beside the line x = w / 2. */
+static void segment_of_edges(void)
+{
+    iris_edge_point points[60];
+    iris_size size = draw_size();
+    iris_hough_line line = {(iris_angle)draw_int(-300, 300), draw_within(-3, 3) * 65536, 0};
+    iris_hough_segment_config config = any_segment_config();
+    int32_t count = draw_within(0, 60), right = size.w > 0 ? size.w - 1 : 0,
+            bottom = size.h > 0 ? size.h - 1 : 0;
+    for (int32_t i = 0; i < count; i++) {
+        int32_t x = draw_chance(3) ? draw_within(0, right) : size.w / 2;
+        int32_t y = draw_chance(300) ? draw_int(0, bottom) : draw_within(0, bottom);
+        points[i] = (iris_edge_point){(int16_t)(x > right ? right : x), (int16_t)y,
+                                      (iris_angle)draw_int(-4000, 4000)};
+    }
+    iris_hough_edges edges = {draw_state(points, (size_t)count * sizeof *points),
+                              draw_chance(60) ? -1 : count, size};
+    edges.points = OR_NULL(edges.points);
+    iris_hough_segment *segment = OR_NULL(draw_results(sizeof *segment));
+    iris_hough_edges *list = OR_NULL(draw_state(&edges, sizeof edges));
+    const iris_hough_line *given = OR_NULL(draw_given(&line, sizeof line));
+    const iris_hough_segment_config *by = OR_NULL(draw_given(&config, sizeof config));
+    iris_scratch *scratch = draw_scratch_up_to(segment_scratch(size));
+    CALL(iris_hough_segment_of_edges(segment, list, given, by, scratch));
+}
+
 static void regress_mask(void)
 {
     iris_line *line = OR_NULL(draw_results(sizeof *line));
@@ -183,6 +240,8 @@ static void regress_moments(void)
 const random_call calls_hough[] = {
     {"iris_hough_lines", lines},
     {"iris_hough_clip", clip},
+    {"iris_hough_segment_of_mask", segment_of_mask},
+    {"iris_hough_segment_of_edges", segment_of_edges},
     {"iris_regress_mask", regress_mask},
     {"iris_regress_points", regress_points},
     {"iris_regress_rows", regress_rows},

@@ -1,6 +1,6 @@
 #include "digest.h"
 
-#include "iris/xt/hough.h"
+#include "iris/xt/hough_segments.h"
 #include "iris/xt/threshold.h"
 #include "iris/xt/votes.h"
 
@@ -96,10 +96,46 @@ static void show(void)
     digest_view(&gray);
 }
 
+static void digest_segment(const iris_hough_segment *segment)
+{
+    digest_number(segment->line.angle);
+    digest_number(segment->line.rho_q16);
+    digest_number(segment->points);
+    digest_bytes(&segment->ends, sizeof segment->ends);
+}
+
+static void segments(void)
+{
+    iris_hough_segment segment = {{0, 0, 0}, {0, 0, 0, 0}, 0};
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), mask = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_HOUGH_SEGMENT_SCRATCH_BYTES(W, H));
+    (void)iris_threshold(&mask, &gray, 70, IRIS_SELECT_DARK);
+    for (int32_t i = 0; i < 12; i++) {
+        iris_hough_line line = {(iris_angle)(i * 2731 - 16384), (i - 6) * 150000, i};
+        digest_number(iris_hough_segment_of_mask(&segment, &mask, &line, NULL, &scratch));
+        digest_segment(&segment);
+    }
+    digest_view(&mask);
+    iris_edge_point points[150];
+    iris_hough_edges edges = {points, 150, {W, H}};
+    for (int32_t i = 0; i < 150; i++) {
+        points[i].x = (int16_t)(i % W);
+        points[i].y = (int16_t)(i % 4 ? i % W / 2 + 5 : digest_between(0, H - 1));
+        points[i].angle = (iris_angle)digest_between(17000, 24000);
+    }
+    iris_hough_line line = {21000, 400000, 9};
+    while (iris_hough_segment_of_edges(&segment, &edges, &line, NULL, &scratch) == IRIS_OK) {
+        digest_segment(&segment);
+        digest_number(edges.count);
+    }
+    digest_number(edges.count);
+}
+
 const digest_operation digest_hough[] = {
     {"hough.every_direction", every_direction},
     {"hough.bounded", bounded},
     {"hough.directed", directed},
+    {"hough.segments", segments},
     {"votes.show", show},
     {NULL, NULL},
 };
