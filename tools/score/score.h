@@ -43,6 +43,7 @@ void score_skeleton(score *s);
 void score_quadtree(score *s);
 void score_edges(score *s);
 void score_blobs(score *s);
+void score_circles(score *s);
 void score_cost(score *s);
 
 #endif
