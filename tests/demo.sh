@@ -18,6 +18,8 @@ for seed in 2 3 4; do
     say $? "one lap on floor $seed"
 done
 grep -v '^library' "$root/log" > "$root/first"
+"$demo" --quick --floor > "$root/log" 2>&1 && grep -q '^steering  by millimeters' "$root/log"
+say $? "one lap by millimeters"
 "$demo" --quick --seed 4 2>&1 | grep -v '^library' > "$root/log"
 cmp -s "$root/first" "$root/log"
 say $? "the same drive again, to the last digit"

@@ -1,5 +1,6 @@
 /* The floor: fits, points, angles, texts, and bird's-eye views. */
 #include "iris/xt/birdseye.h"
+#include "iris/xt/pursuit.h"
 
 #include "calls.h"
 
@@ -198,6 +199,53 @@ static void birdseye_places(void)
     CALL(iris_birdseye_places(places, birdseye, y));
 }
 
+static iris_follow_result any_line(void)
+{
+    iris_follow_result line = {.state = draw_chance(4) ? IRIS_LINE_LOST : IRIS_LINE_FOUND};
+    line.segment_count = draw_int(0, IRIS_FOLLOW_SEGMENTS_MAX);
+    for (int i = 0; i < IRIS_FOLLOW_SEGMENTS_MAX; i++) {
+        int32_t x0 = draw_int(0, 320), y0 = draw_int(0, 240);
+        line.segments[i] = (iris_segment){x0, y0, draw_within(0, 320), draw_within(0, 240)};
+    }
+    return line;
+}
+
+static iris_pursuit_config any_pursuit(void)
+{
+    iris_pursuit_config config = {draw_int(10, 10000), draw_int(1, 100000), draw_int(-10000, 10000)};
+    return config;
+}
+
+static void pursuit_find(void)
+{
+    const iris_floor *floor = any_floor();
+    iris_follow_result line = any_line();
+    iris_pursuit_config config = any_pursuit();
+    iris_pursuit_goal *goal = OR_NULL(draw_results(sizeof *goal));
+    const iris_follow_result *given = OR_NULL(draw_given(&line, sizeof line));
+    const iris_pursuit_config *with = OR_NULL(draw_given(&config, sizeof config));
+    int32_t side = draw_int(-1, 1);
+    CALL(iris_pursuit_find(goal, floor, given, side, with));
+}
+
+static void pursuit_update(void)
+{
+    iris_follow_result line = any_line();
+    iris_pursuit_config config = any_pursuit();
+    iris_steer made;
+    iris_pursuit by = {any_floor(), OR_NULL(draw_given(&config, sizeof config))};
+    (void)iris_steer_init(&made, NULL);
+    iris_steer *steer = draw_results(sizeof *steer);
+    *steer = made;
+    steer = OR_NULL(steer);
+    iris_command *command = OR_NULL(draw_results(sizeof *command));
+    iris_pursuit_goal *goal = OR_NULL(draw_results(sizeof *goal));
+    const iris_follow_result *given = OR_NULL(draw_given(&line, sizeof line));
+    const iris_pursuit *with = OR_NULL(draw_given(&by, sizeof by));
+    int32_t elapsed_ms = draw_int(0, 60000);
+    CALL(iris_pursuit_update(command, goal, steer, given, with, elapsed_ms));
+}
+
 const random_call calls_floor[] = {
     {"iris_floor_fit", fit},
     {"iris_floor_init", init},
@@ -212,5 +260,7 @@ const random_call calls_floor[] = {
     {"iris_birdseye_draw", birdseye_draw},
     {"iris_birdseye_row", birdseye_row},
     {"iris_birdseye_places", birdseye_places},
+    {"iris_pursuit_find", pursuit_find},
+    {"iris_pursuit_update", pursuit_update},
     {NULL, NULL},
 };

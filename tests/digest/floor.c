@@ -1,6 +1,7 @@
 #include "digest.h"
 
 #include "iris/xt/birdseye.h"
+#include "iris/xt/pursuit.h"
 
 /* A camera 200 mm above the floor, by its formula, read off with errors. */
 static void draw_marks(iris_floor_mark *marks, int32_t count)
@@ -131,6 +132,38 @@ static void birdseye_places(void)
     }
 }
 
+static void pursuit(void)
+{
+    iris_floor floor;
+    iris_steer steer;
+    iris_pursuit by = {&floor, NULL};
+    if (!digest_fit(&floor, 9) || iris_steer_init(&steer, NULL) != IRIS_OK) {
+        return;
+    }
+    for (int32_t frame = 0; frame < 60; frame++) {
+        iris_follow_result line = {.state = frame % 20 > 17 ? IRIS_LINE_LOST : IRIS_LINE_FOUND};
+        iris_pursuit_goal goal;
+        iris_command command;
+        int32_t x = 160, y = 239;
+        line.segment_count = 1 + frame % 3;
+        line.has_next = frame % 10 < 2;
+        line.next_angle = (iris_angle)digest_between(-16000, 16000);
+        for (int i = 0; i < line.segment_count; i++) {
+            int32_t to_x = x + digest_between(-60, 60), to_y = y - digest_between(0, 60);
+            line.segments[i] = (iris_segment){x, y, to_x, to_y};
+            x = to_x;
+            y = to_y;
+        }
+        digest_number(iris_pursuit_update(&command, &goal, &steer, &line, &by, 33));
+        digest_number(command.steer_permil);
+        digest_number(goal.found);
+        digest_number(goal.offset_q16);
+        digest_number(goal.distance_q16);
+        digest_number(goal.heading);
+        digest_number(goal.steer_permil);
+    }
+}
+
 const digest_operation digest_floor[] = {
     {"floor.fit", fit},
     {"floor.points", points},
@@ -138,5 +171,6 @@ const digest_operation digest_floor[] = {
     {"floor.birdseye_gray", birdseye_gray},
     {"floor.birdseye_color", birdseye_color},
     {"floor.birdseye_places", birdseye_places},
+    {"floor.pursuit", pursuit},
     {NULL, NULL},
 };

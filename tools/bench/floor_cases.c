@@ -1,6 +1,7 @@
 #include "bench.h"
 
 #include "iris/xt/birdseye.h"
+#include "iris/xt/pursuit.h"
 
 /* A camera 200 mm above the floor and 45 degrees down, for the frame's size. */
 static iris_floor floor_below;
@@ -42,6 +43,17 @@ static iris_status angle(void)
     return status;
 }
 
+/* A line of two pieces, across the picture. */
+static iris_status pursuit(void)
+{
+    int32_t w = bench_frame.gray.w, h = bench_frame.gray.h;
+    iris_follow_result line = {.state = IRIS_LINE_FOUND, .segment_count = 2};
+    iris_pursuit_goal goal;
+    line.segments[0] = (iris_segment){w / 2, h - 1, w / 3, h / 2};
+    line.segments[1] = (iris_segment){w / 3, h / 2, w / 2, h / 4};
+    return iris_pursuit_find(&goal, &floor_below, &line, 0, NULL);
+}
+
 /* A window that the frame fills but for its corners. */
 static iris_status draw(const iris_image *dst, const iris_image *src)
 {
@@ -65,6 +77,7 @@ static iris_status birdseye_color(void)
 const bench_case bench_floor[] = {
     {"floor: 192 points to millimeters", point, prepare},
     {"floor: 192 directions to true angles", angle, prepare},
+    {"floor: goal of a pursuit", pursuit, prepare},
     {"bird's-eye view of gray", birdseye_gray, prepare},
     {"bird's-eye view of color", birdseye_color, prepare},
     {0},

@@ -128,8 +128,7 @@ static void complain_flaw(const char *path, iris_floor_flaw flaw, int32_t count)
         [IRIS_FLOOR_TOO_FEW] = "four different points are needed at least",
         [IRIS_FLOOR_IN_LINE] = "all points but one are on one line, or nearly: lay two marks beside it",
         [IRIS_FLOOR_HORIZON] = "no camera sees these points so: two may be interchanged, or x and y of one",
-        [IRIS_FLOOR_MIRRORED] = "this is a mirror's view: Y is ahead (up the picture) and X to the right; "
-                                "are they interchanged?"};
+        [IRIS_FLOOR_MIRRORED] = "this is a mirror's view: are X (right) and Y (ahead) interchanged?"};
     complain(path, "%s (%d %s)", said[flaw], (int)count, count == 1 ? "point" : "points");
 }
 

@@ -17,6 +17,7 @@ figures: $(OUT)/iris-demo $(if $(CROSS_GAP),,$(COUNTER))
 	@mkdir -p $(FIGURES)
 	@$< --out $(FIGURES)/drive-pictures > $(FIGURES)/drive || true
 	@$< --quick --blank > $(FIGURES)/blank || true
+	@$< --quick --floor > $(FIGURES)/drive-floor || true
 ifneq ($(CROSS_GAP),)
 	@for f in 1-M4 2-M0 size; do echo 'skipped: no $(CROSS_GAP) (make deps)' > $(FIGURES)/$$f; done
 else

@@ -74,6 +74,34 @@ sim_pose sim_camera_floor(const sim_camera *camera, sim_pose pose, double x, dou
     return place(pose, to_ground(camera, x, y));
 }
 
+/* Where the picture shows a place on the floor, cm to the right of the robot's reference point and ahead of it. */
+static void to_image(double *x, double *y, const sim_camera *camera, double right, double ahead)
+{
+    double focal = SIM_W / 2.0 / tan(camera->fov_deg * PI / 360);
+    double pitch = camera->pitch_deg * PI / 180, away = ahead - camera->forward_cm;
+    double depth = camera->height_cm * sin(pitch) + away * cos(pitch);
+    *x = (SIM_W - 1) / 2.0 + focal * right / depth;
+    *y = (SIM_H - 1) / 2.0 + focal * (camera->height_cm * cos(pitch) - away * sin(pitch)) / depth;
+}
+
+int sim_camera_marks(iris_floor *found, sim_camera *camera, int count)
+{
+    iris_floor_mark marks[64];
+    iris_floor_quality quality;
+    int columns = (count + 1) / 2;
+    for (int i = 0; i < count; i++) { /* two rows of them, near and far */
+        double x = SIM_W * (0.1 + 0.8 * (i % columns) / (columns - 1)), y = SIM_H * (i < columns ? 0.9 : 0.2);
+        sim_ground at = to_ground(camera, x, y);
+        double right = floor(-10 * at.left + 0.5), ahead = floor(10 * at.ahead + 0.5);
+        to_image(&x, &y, camera, right / 10, ahead / 10);
+        x += 0.3 * camera->gauss[sim_random_next(&camera->random) >> 20];
+        y += 0.3 * camera->gauss[sim_random_next(&camera->random) >> 20];
+        marks[i].image = (iris_place){(iris_q16)lround(x * 65536), (iris_q16)lround(y * 65536)};
+        marks[i].floor = (iris_place){(iris_q16)lround(right * 65536), (iris_q16)lround(ahead * 65536)};
+    }
+    return iris_floor_fit(found, &quality, (iris_size){SIM_W, SIM_H}, marks, count) == IRIS_OK;
+}
+
 static int on_tape(const sim_camera *camera, const sim_track *track, sim_pose robot, double x, int y)
 {
     sim_pose p = sim_camera_floor(camera, robot, x, y);

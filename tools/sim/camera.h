@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "iris/xt/floor.h"
 #include "light.h"
 
 #define SIM_W 160
@@ -38,6 +39,10 @@ void sim_camera_render(uint8_t *gray, sim_camera *camera, const sim_floor *floor
 
 /* The floor under image position (x, y), pixels, for a robot at `pose`. */
 sim_pose sim_camera_floor(const sim_camera *camera, sim_pose pose, double x, double y);
+
+/* The camera's floor in the robot's millimeters, as anybody would find it: from `count` marks (4 to 64) on the floor, measured to
+ * a millimeter, and read off the picture to within 0.3 pixels (standard deviation). 0 when it is refused. */
+int sim_camera_marks(iris_floor *found, sim_camera *camera, int count);
 
 /* The runs of tape in image row y from the true geometry, without noise, light, or glare: first and last
  * column of each, inclusive, in pixels. Returns how many there are, at most `max`. */

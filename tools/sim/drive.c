@@ -14,6 +14,7 @@ typedef struct {
     iris_follow follow;
     iris_follow_result line;
     iris_steer steer;
+    const iris_pursuit *pursuit;
     iris_command_parser parser;
     iris_image image;
     uint8_t gray[SIM_W * SIM_H];
@@ -25,10 +26,18 @@ static int init(driver *d, const sim_plan *plan)
     iris_scratch scratch;
     iris_size size = {SIM_W, SIM_H};
     iris_command_parser_init(&d->parser);
+    d->pursuit = plan->pursuit;
     return iris_image_wrap(&d->image, d->gray, sizeof d->gray, size, 0, IRIS_GRAY8) == IRIS_OK &&
            iris_scratch_init(&scratch, memory.memory, sizeof memory.memory) == IRIS_OK &&
            iris_follow_init(&d->follow, size, NULL, &scratch) == IRIS_OK &&
            iris_steer_init(&d->steer, plan->steer) == IRIS_OK;
+}
+
+static iris_status steer(iris_command *command, driver *d, int32_t elapsed_ms)
+{
+    iris_pursuit_goal goal;
+    return d->pursuit ? iris_pursuit_update(command, &goal, &d->steer, &d->line, d->pursuit, elapsed_ms)
+                      : iris_steer_update(command, &d->steer, &d->line, elapsed_ms);
 }
 
 /* From pixels to what the robot's side reads off the wire. 0 when a step fails, which no input may cause. */
@@ -38,7 +47,7 @@ static int look(iris_command *command, driver *d, uint32_t now_ms, int32_t elaps
     char sentence[IRIS_COMMAND_SENTENCE_BYTES];
     size_t length = 0;
     if (iris_follow_frame(&d->line, &d->follow, &d->image, now_ms) != IRIS_OK ||
-        iris_steer_update(&sent, &d->steer, &d->line, elapsed_ms) != IRIS_OK ||
+        steer(&sent, d, elapsed_ms) != IRIS_OK ||
         iris_command_format(sentence, sizeof sentence, &length, &sent) != IRIS_OK) {
         return 0;
     }
@@ -75,6 +84,7 @@ static void keep_shot(sim_record *record, const driver *d, const sim_track *trac
 static void keep_step(sim_record *record, const sim_robot *robot, double lateral, double at,
                       const iris_command *command)
 {
+    record->mean_cm += (fabs(lateral) - record->mean_cm) / (record->frames + 1);
     record->mean_square += (lateral * lateral - record->mean_square) / (record->frames + 1);
     if (fabs(lateral) > record->largest_cm) {
         record->largest_cm = fabs(lateral);

@@ -3,7 +3,7 @@
 #define SIM_DRIVE_H
 
 #include "camera.h"
-#include "iris/xt/steer.h"
+#include "iris/xt/pursuit.h"
 #include "robot.h"
 
 #define SIM_STEPS_MAX 60000 /* of a drive */
@@ -30,12 +30,14 @@ typedef struct {
     int laps;
     int frames_per_second;
     const iris_steer_config *steer; /* null for the library's defaults */
+    const iris_pursuit *pursuit;    /* steers by the floor's millimeters; null: by the picture */
 } sim_plan;
 
 typedef struct {
     double length;         /* cm of a lap */
     double laps;           /* driven, from the start along the course */
     double mean_square;    /* cm^2 of the lateral distance */
+    double mean_cm;        /* of the lateral distance's magnitude */
     double largest_cm;     /* lateral distance */
     double largest_at;     /* cm along the lap */
     double seconds;        /* driven */

@@ -10,7 +10,7 @@
 #include "picture.h"
 
 static const char HELP[] =
-    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--frames DIR]\n"
+    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--floor] [--frames DIR]\n"
     "\n"
     "Drives a simulated robot around a taped course by its camera alone, and writes pictures of the drive.\n"
     "Exit code 0 when all laps are done and the robot was never off the line by half its width, else 1.\n"
@@ -20,12 +20,13 @@ static const char HELP[] =
     "  --seed N      another floor and other noise (default 1)\n"
     "  --quick       one lap, no pictures\n"
     "  --blank       cover the lens: the robot must not find its way\n"
+    "  --floor       steer by millimeters, from eight marks on the floor as iris floor takes them\n"
     "  --frames DIR  no drive: write 120 camera frames along the course, and where the tape is in them\n"
     "\n"
     "example: iris-demo --laps 3 --seed 7 --out /tmp/drive\n";
 
 typedef struct {
-    int laps, quick, blank;
+    int laps, quick, blank, floor;
     uint32_t seed;
     const char *out, *frames;
 } options;
@@ -52,6 +53,8 @@ static int read_options(options *o, int argc, char **argv)
             o->quick = 1;
         } else if (strcmp(name, "--blank") == 0) {
             o->blank = 1;
+        } else if (strcmp(name, "--floor") == 0) {
+            o->floor = 1;
         } else if (strcmp(name, "--laps") == 0 && whole_number(&number, value, 1, 20)) {
             o->laps = (int)number;
             i++;
@@ -108,8 +111,9 @@ static int judge(const sim_record *record, int laps, double allowed)
     int good = !record->end && record->laps >= laps && record->largest_cm < allowed;
     printf("laps      %.2f of %d in %.1f s, on average %.0f cm/s\n", record->laps, laps, record->seconds,
            record->seconds > 0 ? record->laps * record->length / record->seconds : 0);
-    printf("error     rms %.2f cm, largest %.2f cm (%.0f cm into the lap), allowed %.1f cm: half the robot\n",
-           sqrt(record->mean_square), record->largest_cm, record->largest_at, allowed);
+    printf("error     rms %.2f cm, largest %.2f cm (%.0f cm into the lap), allowed %.1f cm: half the robot\n"
+           "          mean %.2f cm\n",
+           sqrt(record->mean_square), record->largest_cm, record->largest_at, allowed, record->mean_cm);
     printf("frames    %d found, %d stale, %d lost\n", record->count[IRIS_LINE_FOUND],
            record->count[IRIS_LINE_STALE], record->count[IRIS_LINE_LOST]);
     printf("library   %.0f frames/s on this machine: follow, steer, sentence out and in\n",
@@ -123,13 +127,20 @@ static int drive(const options *o, const sim_floor *floor, sim_camera *camera)
     sim_robot robot;
     sim_robot_init(&robot, sim_track_at(floor->track, 0));
     const sim_robot start = robot;
-    const sim_plan plan = {.laps = o->quick ? 1 : o->laps, .frames_per_second = 30};
+    iris_floor marked;
+    const iris_pursuit pursuit = {&marked, NULL};
+    const sim_plan plan = {.laps = o->quick ? 1 : o->laps,
+                           .frames_per_second = 30,
+                           .pursuit = o->floor && sim_camera_marks(&marked, camera, 8) ? &pursuit : NULL};
     camera->blank = o->blank;
     if (!o->quick && !make_folder(o->out)) {
         fprintf(stderr, "iris-demo: %s: cannot make this folder\n", o->out);
         return 1;
     }
     print_course(floor->track, &robot, camera);
+    if (plan.pursuit) {
+        printf("steering  by millimeters: floor from eight marks\n");
+    }
     if (o->blank) {
         printf("          the lens is covered: this must fail\n");
     }
