@@ -72,10 +72,16 @@ static int32_t merge(const iris_blob *blobs, int32_t *next, int32_t a, int32_t b
     return first;
 }
 
-/* A list in order. Bin i holds what 2^i runs have become. */
+/* A list in order. Bin i holds what 2^i runs have become; there are fewer than 2^31. */
 static int32_t sort_list(const iris_blob *blobs, int32_t *next, int32_t list)
 {
-    int32_t bins[BINS], used = 0;
+    int32_t bins[BINS];
+    if (list == NONE || next[list] == NONE) {
+        return list;
+    }
+    for (int32_t i = 0; i < BINS; i++) {
+        bins[i] = NONE;
+    }
     while (list != NONE) {
         int32_t run = list, last = list, i = 0;
         while (next[last] != NONE && iris_blob_is_before(&blobs[last], &blobs[next[last]])) {
@@ -83,15 +89,14 @@ static int32_t sort_list(const iris_blob *blobs, int32_t *next, int32_t list)
         }
         list = next[last];
         next[last] = NONE;
-        for (; i < used && bins[i] != NONE; i++) {
+        for (; bins[i] != NONE; i++) {
             run = merge(blobs, next, bins[i], run);
             bins[i] = NONE;
         }
         bins[i] = run;
-        used = i == used ? used + 1 : used;
     }
     int32_t all = NONE;
-    for (int32_t i = 0; i < used; i++) {
+    for (int32_t i = 0; i < BINS; i++) {
         all = merge(blobs, next, bins[i], all);
     }
     return all;
