@@ -142,7 +142,8 @@ static void mask_of(void)
     iris_blob blob = {.first_x = draw_int(0, 20), .box = {0, draw_int(0, 20), 1, 1}};
     const iris_blob *given = OR_NULL(draw_given(&blob, sizeof blob));
     int32_t connectivity = draw_chance(20) ? draw_int(0, 9) : draw_chance(2) ? 4 : 8;
-    iris_scratch *scratch = draw_scratch(IRIS_BLOB_MASK_SCRATCH_BYTES(size.h > 0 ? size.h : 0));
+    iris_scratch *scratch =
+        draw_scratch(IRIS_BLOB_MASK_SCRATCH_BYTES(size.w > 0 ? size.w : 0, size.h > 0 ? size.h : 0));
     CALL(iris_blob_mask(dst, src, given, connectivity, scratch));
 }
 

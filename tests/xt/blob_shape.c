@@ -322,7 +322,7 @@ static void assert_masks(int connectivity)
         assert_int_equal(iris_image_wrap(&dst, to_words, bytes, (iris_size){drawn.w, drawn.h}, 0, IRIS_MASK1),
                          IRIS_OK);
         uint32_t last = to_words[bytes / 4 - 1];
-        iris_scratch scratch = arena(IRIS_BLOB_MASK_SCRATCH_BYTES(drawn.h));
+        iris_scratch scratch = arena(IRIS_BLOB_MASK_SCRATCH_BYTES(drawn.w, drawn.h));
         assert_int_equal(iris_blob_mask(&dst, &mask, b, connectivity, &scratch), IRIS_OK);
         assert_int_equal(scratch.used, 0);
         shape_read(&one, &dst);
@@ -361,7 +361,7 @@ static void refused_masks(void **state)
     (void)state;
     draw_noise(40, 30, 300);
     iris_image src = mask_of_drawn(), dst = src, small = src, gray;
-    size_t bytes = IRIS_BLOB_MASK_SCRATCH_BYTES(30);
+    size_t bytes = IRIS_BLOB_MASK_SCRATCH_BYTES(40, 30);
     iris_scratch scratch = arena(bytes), tight = arena(bytes - 1);
     iris_blob blob = {.first_x = 3, .box = {0, 4, 1, 1}}, outside = {.first_x = 40};
     dst.data = to_words;

@@ -153,9 +153,9 @@ int iris_blob_passes(const iris_blob *blob, const iris_blob_filter *filter, iris
  * first pixel (first_x, box.y; the rest of blob is not looked at), and all 0 when src does not select that one.
  * connectivity: 8 or 4. dst and src are disjoint; bits past w are kept.
  * IRIS_ERR_ARG: null pointer, or another connectivity; errors of iris_image_check; IRIS_ERR_FORMAT; IRIS_ERR_RANGE:
- * sizes differ, or the pixel is outside; IRIS_ERR_ALIAS; IRIS_ERR_SCRATCH. A row is looked at as often as some of its
- * pixels or of its neighbors' are reached: O(words) for plain shapes, O(words * runs of a row) for mazes. */
-#define IRIS_BLOB_MASK_SCRATCH_BYTES(h) IRIS_SCRATCH_ROUND(((size_t)(h) + 31u) / 32u * 4u)
+ * sizes differ, or the pixel is outside; IRIS_ERR_ALIAS; IRIS_ERR_SCRATCH. O(words + words of the blob's runs): a
+ * run is reached once, and then the words above and below it are looked at again, whatever maze they are in. */
+#define IRIS_BLOB_MASK_SCRATCH_BYTES(w, h) IRIS_SCRATCH_ROUND(((size_t)(w) + 1023u) / 1024u * (size_t)(h)*4u)
 iris_status iris_blob_mask(const iris_image *dst, const iris_image *src, const iris_blob *blob,
                            int32_t connectivity, iris_scratch *scratch);
 
