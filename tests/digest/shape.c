@@ -2,6 +2,7 @@
 
 #include "iris/xt/contour.h"
 #include "iris/xt/moments.h"
+#include "iris/xt/shape.h"
 #include "iris/xt/threshold.h"
 
 #define W 131
@@ -49,8 +50,95 @@ static void moments(void)
     digest_bytes(v.hu_q40, sizeof v.hu_q40);
 }
 
+static void signature(void)
+{
+    iris_image mask = bright(128);
+    const iris_shape_sampling config = {90, IRIS_SHAPE_LAST, 0, 0, 0};
+    uint16_t *rays = digest_take(90 * sizeof *rays), *other = digest_take(90 * sizeof *other);
+    iris_shape_rays from = {0, 0, 0, 0};
+    iris_shape_correlation best = {0, 0, 0, 0, 0};
+    digest_number(iris_shape_sample(rays, &from, &mask, &config));
+    digest_bytes(rays, 90 * sizeof *rays);
+    digest_bytes(&from, sizeof from);
+    digest_number(
+        iris_shape_sample(other, NULL, &mask, &(iris_shape_sampling){90, IRIS_SHAPE_FIRST, 0, 0, 0}));
+    digest_number(iris_shape_correlate(&best, rays, other, 90, NULL));
+    digest_bytes(&best, sizeof best);
+}
+
+static void digest_match(const iris_shape *shape, const iris_shape *model, iris_shape_method method)
+{
+    iris_shape_matching config;
+    iris_shape_found found = {0, 0, 0, 0, 0};
+    const iris_shape_library library = {model, 1};
+    size_t bytes = IRIS_SHAPE_MATCH_SCRATCH_BYTES;
+    iris_scratch scratch;
+    iris_shape_matching_defaults(&config, method);
+    (void)iris_scratch_init(&scratch, digest_take(bytes), bytes);
+    digest_number(iris_shape_match(&found, shape, &library, &config, &scratch));
+    digest_number(found.class_index);
+    digest_number(found.score_q16);
+    digest_number(found.angle);
+    digest_number(found.mirrored);
+}
+
+static void shapes(void)
+{
+    iris_image mask = bright(128);
+    iris_contour outlines[2];
+    iris_shape *two = digest_take(2 * sizeof *two);
+    int32_t count = 0;
+    iris_scratch scratch = digest_scratch(IRIS_SHAPE_DESCRIBE_SCRATCH_BYTES(W, H));
+    digest_number(iris_contour_find(outlines, 2, &count, &mask, &scratch));
+    for (int i = 0; i < 2 && i < count; i++) {
+        digest_number(iris_shape_describe(&two[i], &outlines[i], &mask, &scratch));
+        digest_bytes(two[i].x, sizeof two[i].x);
+        digest_bytes(two[i].y, sizeof two[i].y);
+        digest_bytes(two[i].rays, sizeof two[i].rays);
+        digest_bytes(two[i].moments_q20, sizeof two[i].moments_q20);
+    }
+}
+
+static void match_any(iris_shape_method method)
+{
+    iris_shape *two = digest_take(2 * sizeof *two);
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < IRIS_SHAPE_RAYS; k++) {
+            two[i].rays[k] = (uint16_t)digest_between(20000, IRIS_SHAPE_ONE);
+        }
+        two[i].moments_q20[0] = digest_between(100000, 300000);
+    }
+    digest_match(&two[0], &two[1], method);
+}
+
+static void radial(void)
+{
+    match_any(IRIS_SHAPE_RADIAL);
+}
+
+static void by_moments(void)
+{
+    match_any(IRIS_SHAPE_MOMENTS);
+}
+
+/* Two stars. */
+static void heights(void)
+{
+    iris_shape *two = digest_take(2 * sizeof *two);
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < IRIS_SHAPE_POINTS; k++) {
+            int32_t r = 1200 + 700 * (k / 8 % 2) + digest_between(0, 100);
+            iris_angle angle = iris_angle_wrap(k * 1024 + i * 8000);
+            two[i].x[k] = (int16_t)iris_q30_mul(r, iris_cos_q30(angle));
+            two[i].y[k] = (int16_t)iris_q30_mul(r / 2, iris_sin_q30(angle));
+        }
+    }
+    digest_match(&two[0], &two[1], IRIS_SHAPE_HEIGHTS);
+}
+
 const digest_operation digest_shape[] = {
-    {"shape.contours", contours},
-    {"shape.moments", moments},
-    {NULL, NULL},
+    {"shape.contours", contours},   {"shape.moments", moments},
+    {"shape.signature", signature}, {"shape.shapes", shapes},
+    {"shape.radial", radial},       {"shape.by_moments", by_moments},
+    {"shape.heights", heights},     {NULL, NULL},
 };
