@@ -32,6 +32,32 @@ works "birdseye --json" birdseye --floor a.floor --window -101,190,101,1000 --sc
 grep -q '"width":101,"height":405,"kind":"gray","mm_per_pixel":2,"corner_x_mm":-100,"corner_y_mm":999}' out; say $? "--json"
 works "in a pipe" pipe "negative | birdseye --floor a.floor --window 0,190,10,210" ramp.pgm -o map.pgm
 
+# Tape of 20 mm that runs straight ahead, 40 mm to the right.
+awk 'BEGIN { printf "P5 161 121 255\n"
+    for (y = 0; y < 121; y++) for (x = 0; x < 161; x++) {
+        off = x - 80 - 0.1 * (y + 100)
+        printf "%s", off * off < 0.000625 * (y + 100) * (y + 100) ? " " : "~" } }' > tape.pgm
+near() { # near KEY VALUE TOLERANCE : in out
+    sed -n "s/.*\"$1\":\([^,}]*\).*/\1/p" out | awk -v want="$2" -v most="$3" '
+        $1 ~ /^[-0-9.]+$/ { d = $1 - want; good = d <= most && -d <= most }
+        END { exit !good }'
+    say $? "$1 within $3 of $2"
+}
+works "follow --floor" follow --floor a.floor --json tape.pgm
+near offset_mm 40 1.5; near distance_mm 200 0.5; near heading_deg 0 1; near steer 0.15 0.01
+grep -q '"segments_mm":\[{"x0":[34]' out; say $? "segments in millimeters"
+works "follow --lookahead --radius --axle" follow --floor a.floor --lookahead 300 --radius 150 --axle -50 --json tape.pgm
+near offset_mm 40 1.5; near distance_mm 300 0.5; near steer 0.133 0.01
+works "follow --floor in words" follow --floor a.floor tape.pgm
+grep -Eq '  at  200 mm +[+](39|40|41) mm  heading ' out; say $? "millimeters in words"
+works "follow without" follow --json tape.pgm
+! grep -q _mm out; say $? "has no millimeters"
+refuses "follow --radius alone" 2 "radius: only together with --floor" follow --radius 75 tape.pgm
+refuses "follow --lookahead" 2 "10 to 10000 millimeters, not '9'" follow --floor a.floor --lookahead 9 tape.pgm
+refuses "follow with a damaged floor" 1 "line 2: not a floor" follow --floor marks.txt tape.pgm
+{ printf 'P5\n160 120\n255\n'; tail -c 19200 tape.pgm; } > small.pgm
+refuses "follow another size" 1 "small.pgm: 160x120 pixels, but the floor file was made for pictures of 161x121" follow --floor a.floor small.pgm
+
 refuses "no points" 2 "points FILE is needed" floor --size 161x121
 refuses "no size" 2 "size WxH or --image IN" floor --points marks.txt
 refuses "two sizes" 2 "size WxH or --image IN" floor --points marks.txt --size 9x9 --image ramp.pgm

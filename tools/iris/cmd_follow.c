@@ -5,6 +5,7 @@
 #include "args.h"
 #include "commands.h"
 #include "complain.h"
+#include "floor_file.h"
 #include "follow_options.h"
 #include "follow_overlay.h"
 #include "follow_port.h"
@@ -30,7 +31,7 @@ static const char help[] =
     "  --json         one JSON object per frame\n"
     "  --stills       frames have nothing to do with each other: forget between them\n"
     "  --rate N       frames per second, 1 to 1000, default 30\n"
-    "  --overlay DIR  write each frame with what was found drawn in, as a BMP\n"
+    "  --overlay DIR  write each frame with what was found drawn in, as a BMP\n" FOLLOW_FLOOR_HELP
     "  --serial DEV   send each command to a serial port; files are then paced at --rate\n"
     "  --baud N       its speed, default 115200\n\n"
     "angle: degrees, 0 straight ahead, right positive; next: behind a sharp bend. offset, ahead: of the\n"
@@ -65,6 +66,9 @@ static int change_size(sequence *s, const char *file, iris_size size)
 {
     iris_scratch scratch;
     const follow_options *options = s->options;
+    if (options->floor.used && !floor_fits(&options->floor.floor, file, size)) {
+        return EXIT_BAD_DATA;
+    }
     iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
     if (iris_follow_init_full(&s->follow, size, &options->line, &scratch) != IRIS_OK) {
         complain(file, "%dx%d pixels: sides of 8 to %d can be followed", (int)size.w, (int)size.h,
@@ -95,7 +99,8 @@ static void look(follow_answer *answer, sequence *s, uint32_t now_ms)
         elapsed_ms = 0;
     }
     iris_follow_frame(&answer->line, &s->follow, &s->picture.image, now_ms);
-    iris_steer_update(&answer->command, &s->steer, &answer->line, elapsed_ms);
+    follow_floor_steer(&answer->command, &answer->goal, &s->steer, &answer->line, &s->options->floor,
+                       elapsed_ms);
     answer->command.seq = (int32_t)(s->answered % 10000); /* --stills too counts sentences */
     answer->wheel_centideg = iris_steer_wheel_centideg(&s->steer, &answer->command);
     s->answered++;
@@ -194,8 +199,11 @@ int cmd_follow(int argc, char **argv)
 {
     static follow_options options;
     follow_texts texts = {NULL, NULL, NULL, NULL, NULL};
+    follow_floor_texts floor = {NULL, NULL, NULL, NULL};
     int lane = 0;
     const args_option known[] = {
+        {"floor", 0, NULL, &floor.floor},         {"lookahead", 0, NULL, &floor.lookahead},
+        {"radius", 0, NULL, &floor.radius},       {"axle", 0, NULL, &floor.axle},
         {"line", 0, NULL, &texts.line},           {"lane", 0, &lane, NULL},
         {"estimator", 0, NULL, &texts.estimator}, {"rows", 0, NULL, &texts.rows},
         {"json", 0, &options.json, NULL},         {"stills", 0, &options.stills, NULL},
@@ -216,6 +224,10 @@ int cmd_follow(int argc, char **argv)
     }
     if (!follow_options_read(&options, &texts)) {
         return EXIT_BAD_CALL;
+    }
+    exit_code = follow_floor_read(&options.floor, &floor);
+    if (exit_code != EXIT_DONE) {
+        return exit_code;
     }
     options.line.lane = lane;
     input_list inputs;

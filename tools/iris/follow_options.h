@@ -2,6 +2,7 @@
 #ifndef IRIS_TOOL_FOLLOW_OPTIONS_H
 #define IRIS_TOOL_FOLLOW_OPTIONS_H
 
+#include "follow_floor.h"
 #include "iris/xt/follow.h"
 
 #define FOLLOW_ROWS_MAX 1024
@@ -16,6 +17,7 @@ typedef struct {
     int hough;           /* 1: straight parts by Hough transform, not by regression */
     const char *overlay; /* folder; null: none */
     const char *serial;  /* device; null: none */
+    follow_floor floor;
 } follow_options;
 
 /* The options as texts, null where not given. */

@@ -16,6 +16,7 @@ typedef struct {
     iris_size size;
     iris_follow_result line;
     iris_command command;
+    iris_pursuit_goal goal; /* of --floor */
     int32_t wheel_centideg; /* the command's steering as a wheel angle */
 } follow_answer;
 
