@@ -22,6 +22,7 @@ static const command commands[] = {
     {"pipe", cmd_pipe, "several operations, one after the other"},
     {"follow", cmd_follow, "the line on the floor, and how to steer"},
     {"floor", cmd_floor, "from marks on the floor to millimeters"},
+    {"shape", cmd_shape, "a taught shape, found moved, turned, scaled, and partly hidden"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
