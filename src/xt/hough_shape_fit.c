@@ -231,8 +231,9 @@ void iris_hough_shape_rate(iris_hough_shape_place *place, const iris_hough_shape
 {
     frame f = frame_of(place);
     int32_t seen = 0, fit = 0, all = 0, reach2 = reach_q4 * reach_q4;
-    for (int32_t i = 0; i < shape->entries; i += step, all++) {
+    for (int32_t i = 0; i < shape->entries; i += step) {
         pair p;
+        all++;
         lay(&p, shape, &f, i);
         find_nearest(&p, shape, reach_q4);
         if (p.nearest >= 0) {
@@ -241,8 +242,10 @@ void iris_hough_shape_rate(iris_hough_shape_place *place, const iris_hough_shape
             fit += across * across < exact2 ? 1000 * (exact2 - across * across) / exact2 : 0;
         }
     }
-    place->score = 1000 * seen / all;
-    place->fit = (int32_t)((int64_t)fit / all * place->scale_q16 / 65536);
+    if (all > 0) {
+        place->score = 1000 * seen / all;
+        place->fit = (int32_t)((int64_t)fit / all * place->scale_q16 / 65536);
+    }
 }
 
 /* The edge points of like direction around an outline point are used. */
