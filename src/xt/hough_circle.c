@@ -105,23 +105,31 @@ static iris_status take_memory(circle_search *s, iris_scratch *scratch)
 
 /* --- voting --- */
 
+static void vote_at(const iris_image *to, int32_t x_q14, int32_t y_q14)
+{
+    const int32_t column = x_q14 >> 14, line = y_q14 >> 14;
+    if ((uint32_t)column < (uint32_t)to->w && (uint32_t)line < (uint32_t)to->h) {
+        uint16_t *at = (uint16_t *)((uint8_t *)to->data + line * to->stride) + column;
+        *at = (uint16_t)(*at + (*at < VOTES_MAX));
+    }
+}
+
 /* The places that all points vote for, in cells with 14 fraction bits: below 2^29 + 2^24. */
 static void vote(const circle_search *s, const iris_image *to, int32_t radius, int32_t cell)
 {
-    const int32_t per_pixel = 16384 / cell, reach_q6 = radius * 64 / cell;
+    const int32_t per_pixel = 16384 / cell, half = per_pixel / 2, reach_q6 = radius * 64 / cell;
     const int toward = s->config.polarity != IRIS_CIRCLE_DARK,
               away = s->config.polarity != IRIS_CIRCLE_BRIGHT;
     for (int32_t i = 0; i < s->count; i++) {
         const iris_edge_point *p = &s->points[i];
         const int16_t *direction = s->sines + 2 * ((uint16_t)p->angle / (65536 / DIRECTIONS));
-        const int32_t x = p->x * per_pixel + per_pixel / 2, y = p->y * per_pixel + per_pixel / 2;
-        const int32_t dx = direction[0] * reach_q6 / 64, dy = direction[1] * reach_q6 / 64;
-        for (int side = !toward; side <= away; side++) {
-            int32_t column = (side ? x - dx : x + dx) >> 14, line = (side ? y - dy : y + dy) >> 14;
-            if ((uint32_t)column < (uint32_t)to->w && (uint32_t)line < (uint32_t)to->h) {
-                uint16_t *at = (uint16_t *)iris_image_row(to, line) + column;
-                *at = (uint16_t)(*at + (*at < VOTES_MAX));
-            }
+        const int32_t x = p->x * per_pixel + half, y = p->y * per_pixel + half;
+        const int32_t dx = (direction[0] * reach_q6) >> 6, dy = (direction[1] * reach_q6) >> 6;
+        if (toward) {
+            vote_at(to, x + dx, y + dy);
+        }
+        if (away) {
+            vote_at(to, x - dx, y - dy);
         }
     }
 }
@@ -177,12 +185,14 @@ static void keep(circle_search *s, const hypothesis *peak, int32_t reach_q8)
     if (n == most && !is_better(peak, &s->peaks[n - 1])) {
         return;
     }
-    for (int32_t i = 0; i < n; i++) {
-        if (is_same(peak, &s->peaks[i], reach_q8)) {
-            if (!is_better(peak, &s->peaks[i])) {
-                return; /* nothing worse has been dropped: they are in order */
-            }
-        } else {
+    while (kept < n && !is_same(peak, &s->peaks[kept], reach_q8)) {
+        kept++;
+    }
+    if (kept < n && !is_better(peak, &s->peaks[kept])) {
+        return;
+    }
+    for (int32_t i = kept + 1; i < n; i++) { /* those behind are no better */
+        if (!is_same(peak, &s->peaks[i], reach_q8)) {
             s->peaks[kept++] = s->peaks[i];
         }
     }
@@ -218,19 +228,35 @@ static int32_t gather(hypothesis *peak, const iris_image *slice, int32_t x, int3
     return sum;
 }
 
-/* The peaks of a slice that have at least half of the votes that a circle needs. */
+/* Has one of four cells at least `least` votes, 1 to 2^15? */
+static int has_votes(const uint16_t cells[4], uint64_t least)
+{
+    const uint64_t ones = 0x0001000100010001u, high = 0x8000u * ones;
+    uint64_t four;
+    memcpy(&four, cells, sizeof four);
+    return ((((four | high) - least * ones) | four) & high) != 0;
+}
+
+/* The peaks of a slice that have at least two thirds of the votes that a circle needs. */
 static void find_peaks(circle_search *s, const iris_image *slice, int32_t radius, int32_t cell)
 {
     hypothesis peak = {.r_q8 = radius * 256};
-    int32_t least = radius * s->config.min_share_permil / 318 + 2; /* 1000 / pi */
-    least = least < s->config.min_votes / 2 ? s->config.min_votes / 2 : least;
-    int32_t least_here = (least + 8) / 9;
+    int32_t least = radius * s->config.min_share_permil / 239 + 1; /* 1000 / (2 pi * 2 / 3) */
+    least = least < s->config.min_votes * 2 / 3 ? s->config.min_votes * 2 / 3 : least;
+    const int32_t least_here = (least + 8) / 9;
     for (int32_t y = 0; y < slice->h; y++) {
         const uint16_t *row = iris_image_row(slice, y);
         for (int32_t x = 0; x < slice->w; x++) {
-            if (row[x] >= least_here && gather(&peak, slice, x, y, cell) >= least) {
-                keep(s, &peak, 512 * cell);
+            while (x + 4 <= slice->w && !has_votes(row + x, (uint64_t)least_here)) {
+                x += 4;
             }
+            for (int32_t end = x + 4 < slice->w ? x + 4 : slice->w; x < end; x++) {
+                if (row[x] >= least_here && (x == 0 || row[x - 1] < row[x]) &&
+                    gather(&peak, slice, x, y, cell) >= least) {
+                    keep(s, &peak, 512 * cell);
+                }
+            }
+            x--;
         }
     }
 }
@@ -250,13 +276,25 @@ static void search_slices(circle_search *s)
 
 /* --- circles --- */
 
+/* Is the peak one of a circle that has been found already? */
+static int is_known(const circle_search *s, int32_t found, const hypothesis *peak)
+{
+    const int32_t reach_q8 = cell_of(&s->config, peak->r_q8 / 256) * 512;
+    for (int32_t i = 0; i < found; i++) {
+        if (is_same(&s->peaks[i], peak, reach_q8)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* Tests all peaks and keeps those that are circles, best first. */
 static void test_peaks(circle_search *s)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < s->peak_count; i++) {
         hypothesis circle = s->peaks[i];
-        if (iris_circle_test(&circle, s)) {
+        if (!is_known(s, kept, &circle) && iris_circle_test(&circle, s)) {
             int32_t at = kept++;
             for (; at > 0 && is_better(&circle, &s->peaks[at - 1]); at--) {
                 s->peaks[at] = s->peaks[at - 1];

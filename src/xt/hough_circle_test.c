@@ -19,6 +19,7 @@ typedef struct {
     /* the point: */
     const iris_edge_point *point;
     int32_t dx_q4, dy_q4, distance2_q8, sideways_q5;
+    int inward; /* it is brighter inside */
 } ring;
 
 static int32_t at_least(int32_t value, int32_t low)
@@ -36,18 +37,23 @@ static ring ring_around(const circle_search *s, const hypothesis *c, int32_t ban
                   .far2_q8 = far_q4 * far_q4};
 }
 
-/* Is the direction of the point within 26 degrees of the radius, inwards for bright discs, outwards for dark ones? */
-static int points_along(ring *r, const iris_edge_point *p)
+/* Squared cosines, 4 fraction bits: of 26 degrees, and of 41 for as long as the center is not known well. */
+#define ALONG       13
+#define ALONG_ABOUT 9
+
+/* Is the direction of the point within such an angle of the radius, inwards for bright discs, outwards for dark ones? */
+static int points_along(ring *r, const iris_edge_point *p, uint32_t cosine2_q4)
 {
     const iris_circle_polarity polarity = r->s->config.polarity;
     const int16_t *direction = r->s->sines + 2 * ((uint16_t)p->angle / (65536 / DIRECTIONS));
-    int32_t outward_q5 = (direction[0] * r->dx_q4 + direction[1] * r->dy_q4) / 8192;
+    int32_t outward_q5 = (direction[0] * r->dx_q4 + direction[1] * r->dy_q4) >> 13;
     if (outward_q5 < 0 ? polarity == IRIS_CIRCLE_DARK : polarity == IRIS_CIRCLE_BRIGHT) {
         return 0;
     }
-    r->sideways_q5 = (direction[0] * r->dy_q4 - direction[1] * r->dx_q4) / 8192;
-    /* cosine squared at least 13/16, with 10 fraction bits; both below 2^31 */
-    return (uint32_t)(outward_q5 * outward_q5) >= (uint32_t)(r->distance2_q8 / 4) * 13u;
+    r->inward = outward_q5 < 0;
+    r->sideways_q5 = (direction[0] * r->dy_q4 - direction[1] * r->dx_q4) >> 13;
+    /* with 10 fraction bits; both below 2^31 */
+    return (uint32_t)(outward_q5 * outward_q5) >= (uint32_t)(r->distance2_q8 / 4) * cosine2_q4;
 }
 
 /* Is it in the ring? No farther than 2^15 from the center. */
@@ -66,7 +72,7 @@ static int ring_next(ring *r)
         const iris_edge_point *p = &r->s->near[r->next++];
         if (is_inside(r, p)) {
             r->all++;
-            if (points_along(r, p)) {
+            if (points_along(r, p, ALONG)) {
                 return 1;
             }
         }
@@ -88,24 +94,29 @@ static int32_t first_from(const iris_edge_point *points, int32_t first, int32_t 
     return first;
 }
 
-/* Hands the points of a ring that support no circle yet to the test; or makes those that point along support this one. */
-static void walk(circle_search *s, const hypothesis *c, int32_t band_q8, int takes)
+typedef enum { GATHER_ALL, GATHER_ALONG, TAKE } purpose;
+
+/* Hands the points of a ring that support no circle yet to the test, all or those that point along, about; or makes those
+ * that do support this one. */
+static void walk(circle_search *s, const hypothesis *c, int32_t band_q8, purpose of)
 {
     ring r = ring_around(s, c, band_q8);
     const int32_t far = (c->r_q8 + band_q8) / 256 + 1, x = r.x_q4 >> 4, y = r.y_q4 >> 4;
     const int32_t bottom = y + far + 2 > s->size.h ? s->size.h : y + far + 2;
-    s->near_count = takes ? s->near_count : 0;
+    s->near_count = of == TAKE ? s->near_count : 0;
     for (int32_t row = at_least(y - far, 0); row < bottom; row++) {
         const int32_t end = s->row_first[row + 1];
         int32_t i = first_from(s->points, s->row_first[row], end, x - far);
         for (; i < end && s->points[i].x <= x + far + 1; i++) {
-            if (!is_inside(&r, &s->points[i]) || (s->taken[i / 32] >> i % 32 & 1)) {
+            const iris_edge_point *p = &s->points[i];
+            if (!is_inside(&r, p) || (s->taken[i / 32] >> i % 32 & 1) ||
+                (of != GATHER_ALL && !points_along(&r, p, of == TAKE ? ALONG : ALONG_ABOUT))) {
                 continue;
             }
-            if (!takes) {
-                s->near[s->near_count++] = s->points[i];
-            } else if (points_along(&r, &s->points[i])) {
+            if (of == TAKE) {
                 s->taken[i / 32] |= (uint32_t)1 << i % 32;
+            } else {
+                s->near[s->near_count++] = *p;
             }
         }
     }
@@ -219,35 +230,34 @@ static int32_t band_of(const hypothesis *c)
 
 /* What supports a circle. */
 typedef struct {
-    int32_t votes, all, sectors;
+    int32_t votes, all;
+    uint32_t seen; /* sectors */
     int64_t
         sideways; /* sum of squared sines of the angle between direction and radius, times r^2; 10 fraction bits */
     int64_t beyond; /* sum of squared distances from the circle, times 4 r^2; 8 fraction bits */
 } support;
 
-static support support_of(const hypothesis *c, const circle_search *s)
+/* Points that it is brighter outside of, inside of, and both. */
+static void support_of(support by[3], const hypothesis *c, const circle_search *s)
 {
-    support t = {0};
-    uint32_t seen = 0;
     const int32_t r2_q8 = (c->r_q8 / 16) * (c->r_q8 / 16);
     ring r = ring_around(s, c, band_of(c));
-    while (t.votes < SUPPORT_MAX && ring_next(&r)) {
+    by[0] = by[1] = (support){0};
+    while (by[0].votes + by[1].votes < SUPPORT_MAX && ring_next(&r)) {
         const int32_t beyond_q4 = (r.distance2_q8 - r2_q8) / 16;
-        t.votes++;
-        t.sideways += (int64_t)r.sideways_q5 * r.sideways_q5;
-        t.beyond += (int64_t)beyond_q4 * beyond_q4;
-        seen |= (uint32_t)1 << sector_of(r.dx_q4, r.dy_q4);
+        support *t = &by[r.inward];
+        t->votes++;
+        t->sideways += (int64_t)r.sideways_q5 * r.sideways_q5;
+        t->beyond += (int64_t)beyond_q4 * beyond_q4;
+        t->seen |= (uint32_t)1 << sector_of(r.dx_q4, r.dy_q4);
     }
-    for (; seen != 0; seen &= seen - 1) {
-        t.sectors++;
-    }
-    t.all = r.all;
-    return t;
+    by[0].all = by[1].all = r.all;
+    by[2] = (support){by[0].votes + by[1].votes, r.all, by[0].seen | by[1].seen,
+                      by[0].sideways + by[1].sideways, by[0].beyond + by[1].beyond};
 }
 
 /* Points that a circle has by chance have any direction and distance that counts: the mean square of the sine is 1/16
- * then, that of the distance a third of the band's. A circle's points have a tenth of that. The more of the circumference
- * there is, and the fewer other points are in the band, the less it takes. 0 to 2048: as by chance. */
+ * then, that of the distance a third of the band's. A circle's points have a tenth of that. 0 to 2048: as by chance. */
 static int64_t scatter_of(const support *t, const hypothesis *c)
 {
     const int64_t r2_q16 = (int64_t)c->r_q8 * c->r_q8, band2_q16 = (int64_t)band_of(c) * band_of(c);
@@ -256,22 +266,43 @@ static int64_t scatter_of(const support *t, const hypothesis *c)
     return turned_q10 + distance2_q16 * 3 * 1024 / band2_q16;
 }
 
-/* Counts what supports the circle. 0 when it is not enough, or not more than chance would bring. *scatter: 0 to 2048. */
-static int is_supported(hypothesis *c, int64_t *scatter, const circle_search *s)
+/* The votes, fewer the more they scatter; 0 when they are not enough, or not more than chance would bring: the more of
+ * the circumference there is, and the fewer other points are in the band, the more they may scatter. */
+static int32_t weight_of(const support *t, const hypothesis *c, const iris_circle_config *config)
 {
-    const iris_circle_config *config = &s->config;
-    support t = support_of(c, s);
-    c->votes = t.votes;
+    int32_t sectors = 0;
+    for (uint32_t seen = t->seen; seen != 0; seen &= seen - 1) {
+        sectors++;
+    }
     /* of 2 pi r; a whole circle of pixels has an eighth more than that */
-    int64_t share_permil = (int64_t)t.votes * 40744 / c->r_q8, around_permil = t.sectors * 1000 / SECTORS;
+    int64_t share_permil = (int64_t)t->votes * 40744 / c->r_q8, around_permil = sectors * 1000 / SECTORS;
     if (share_permil < config->min_share_permil || around_permil < config->min_share_permil ||
-        t.votes < config->min_votes || t.votes == 0) {
+        t->votes < config->min_votes || t->votes == 0) {
         return 0;
     }
     share_permil = share_permil * 8 / 9;
     share_permil = around_permil < share_permil ? around_permil : share_permil;
-    *scatter = scatter_of(&t, c);
-    return *scatter * t.all * 800 <= share_permil * t.votes * 1024;
+    /* scatter / 1024 at most share * votes / all * 1.25, of a circle that is nearly whole up to 1.7 */
+    int64_t scatter = scatter_of(t, c), times_permil = share_permil * 17 / 10;
+    times_permil = times_permil < 1250 ? 1250 : times_permil;
+    int is_neat = scatter * t->all * 1000 <= share_permil * times_permil * t->votes * 1024 / 1000;
+    return is_neat ? (int32_t)(t->votes - t->votes * scatter / 2048) : 0;
+}
+
+/* Counts what supports the circle, of one polarity or both. Returns its weight; 0: not enough. */
+static int32_t measure(hypothesis *c, const circle_search *s)
+{
+    support by[3];
+    int32_t best = 0;
+    support_of(by, c, s);
+    for (int i = 0; i < 3; i++) {
+        int32_t weight = weight_of(&by[i], c, &s->config);
+        if (weight > best) {
+            best = weight;
+            c->votes = by[i].votes;
+        }
+    }
+    return best;
 }
 
 /* Is the center in the picture, and the radius asked for, or beyond the bounds by no more than `slack`? */
@@ -283,29 +314,31 @@ static int is_asked_for(const hypothesis *c, const circle_search *s, int32_t sla
            c->r_q8 <= s->config.radius_max * 256 + slack_q8;
 }
 
+/* Are these the points of a circle? */
+static int are_enough(int32_t points, const hypothesis *c, const circle_search *s)
+{
+    return (int64_t)points * 40744 * 5 / 4 >= (int64_t)s->config.min_share_permil * c->r_q8;
+}
+
 int iris_circle_test(hypothesis *circle, circle_search *s)
 {
     const int32_t cell_q8 = cell_of(&s->config, circle->r_q8 / 256) * 256;
-    walk(s, circle, cell_q8 * 3 + 1024, 0);
+    walk(s, circle, cell_q8 * 2 + 768, GATHER_ALONG);
     int32_t points = find_radius(circle, s, cell_q8 * 3 / 2 + 256, cell_q8 / 2 + 256);
-    /* that is most of them already */
-    if ((int64_t)points * 40744 * 5 / 4 < (int64_t)s->config.min_share_permil * circle->r_q8 ||
-        !fit(circle, s, cell_q8 / 2 + 384) || !is_asked_for(circle, s, 2 * SLACK)) {
+    if (!are_enough(points, circle, s) || !fit(circle, s, cell_q8 / 2 + 384) ||
+        !is_asked_for(circle, s, 2 * SLACK)) {
         return 0;
     }
-    (void)find_radius(circle, s, cell_q8 / 2 + 640, 320);
+    points = find_radius(circle, s, cell_q8 / 2 + 640, 320);
     for (int i = 0; i < 2; i++) {
-        if (!fit(circle, s, band_of(circle)) || !is_asked_for(circle, s, 2 * SLACK)) {
+        if (!are_enough(points, circle, s) || !fit(circle, s, band_of(circle)) ||
+            !is_asked_for(circle, s, 2 * SLACK)) {
             return 0;
         }
     }
-    int64_t scatter;
-    if (!is_supported(circle, &scatter, s)) {
-        return 0;
-    }
-    circle->votes -=
-        (int32_t)(circle->votes * scatter / 2048); /* a neat circle comes before one of two edges */
-    return 1;
+    walk(s, circle, band_of(circle) + 16, GATHER_ALL);
+    circle->votes = measure(circle, s); /* a neat circle comes before one of two edges */
+    return circle->votes > 0;
 }
 
 /* The edges of a thin line along the circle lie to both sides of its middle: then the circle moves there. 1 when it does. */
@@ -325,9 +358,8 @@ static int find_middle(hypothesis *c, const circle_search *s)
 int iris_circle_take(hypothesis *circle, circle_search *s)
 {
     int32_t band = band_of(circle);
-    walk(s, circle, at_least(band, 2 * LINE_BAND), 0);
-    int64_t scatter;
-    if (!is_supported(circle, &scatter, s)) {
+    walk(s, circle, at_least(band, 2 * LINE_BAND), GATHER_ALL);
+    if (measure(circle, s) == 0) {
         return 0;
     }
     if (s->config.polarity == IRIS_CIRCLE_EITHER && find_middle(circle, s)) {
@@ -336,6 +368,6 @@ int iris_circle_take(hypothesis *circle, circle_search *s)
     if (!is_asked_for(circle, s, SLACK)) {
         return 0;
     }
-    walk(s, circle, band + 256, 1);
+    walk(s, circle, band + 256, TAKE);
     return 1;
 }

@@ -237,7 +237,7 @@ static void score_scene(score *s, const scene *of, const iris_image *gray)
         find(&found, gray, of->radius_min, of->radius_max);
         compare(&t, &found, discs, count, (const double[2]){2, 2});
         if (i == 0) {
-            snprintf(file, sizeof file, "circles-%.10s.bmp", of->name);
+            snprintf(file, sizeof file, "circles-scene-%d.bmp", (int)(of - scenes));
             save(s, file, gray, &found);
         }
     }

@@ -5,7 +5,7 @@
  * votes, for each radius, for one place (two when discs may be bright or dark) instead of the whole circle of places of
  * the report. The report's accumulator has three dimensions, x, y, and radius; here one slice of it is in memory at a
  * time, a radius after the other, and only the best peaks are kept. A slice's cells grow with the radius, because the
- * error of a direction does, and the steps between radii with them: 10 to 50 pixels are 15 slices.
+ * error of a direction does, and the steps between radii with them: 10 to 50 pixels are 18 slices.
  *
  * Peaks are only hypotheses. Each is tested against the edge points, best first: the distance at which most of those
  * points lie whose direction fits, then the circle that fits them best (least squares), and so on with narrower bands. A
@@ -66,7 +66,7 @@ typedef struct {
 #define IRIS_CIRCLE_LARGER(a, b) ((a) > (b) ? (a) : (b))
 
 /* Working memory: sines, one slice (or, if that is more, the points once more), the rows' first points, a bit per edge point, and the hypotheses.
- * 160x120 with 1500 points and the defaults: 14 KB; 640x480 with 10000 points: 161 KB. */
+ * 160x120 with 1500 points and the defaults: 15 KB; 640x480 with 10000 points: 162 KB. */
 #define IRIS_CIRCLE_SCRATCH_BYTES(w, h, points, cell, hypotheses)                                            \
     (IRIS_SCRATCH_ROUND(1024u) +                                                                             \
      IRIS_SCRATCH_ROUND(IRIS_CIRCLE_LARGER(2u * IRIS_CIRCLE_CELLS(w, cell) * IRIS_CIRCLE_CELLS(h, cell),     \
@@ -78,21 +78,25 @@ typedef struct {
 /* Sensible values, as given above. Null is ignored. */
 void iris_circle_defaults(iris_circle_config *config);
 
-/* The circles, best first: those with the greatest product of votes and share of the circumference; of equal ones the one
- * whose peak was better. config null: the defaults. circles may be null when capacity is 0. *count is the number of
- * all circles found.
+/* The circles, best first: those with the greatest product of votes and share of the circumference (votes^2 / r). config
+ * null: the defaults. circles may be null when capacity is 0. *count is the number of all circles found.
  *
- * A circle's center is inside the picture. Its radius may be a pixel, or a sixteenth of itself if that is more, beyond the bounds. When
- * part of it is outside the picture, the share still is one of the whole circumference: half a disc at the edge of the
- * picture has 500 permil at best. Points within 1.5 pixels and a 32nd of the radius count, when their direction is
- * within 26 degrees of the radius. Center and radius of a whole disc without noise are right within 0.1 pixel; its
- * radius is where the smoothed edge is steepest, which for radii below about 8 pixels is up to 0.3 pixel from the true edge.
+ * A circle's center is inside the picture. Its radius may be beyond the bounds by a pixel, or by a sixteenth of itself if
+ * that is more. When part of it is outside the picture, the share still is one of the whole circumference: half a disc at
+ * the picture's edge has 500 permil at best (560 of pixels, which are more than the circumference is long).
+ *
+ * A point supports a circle that is nearer than 1.5 pixels and a 32nd of the radius and whose radius there is within 26
+ * degrees of the point's direction. Points there by chance scatter over all of that, those of a circle hardly: the smaller
+ * its share, and the more other points there are, the closer its points have to fit. So 300 permil do in clutter.
+ *
+ * Center and radius of a whole disc without noise are right within 0.1 pixel. The radius is where the smoothed edge is
+ * steepest, which for radii below 8 pixels is up to 0.3 pixels inside of the true edge; that of a drawn line, up to 2 pixels
+ * wide, is its middle.
  *
  * IRIS_ERR_FULL: more circles than capacity: circles has the best `capacity` of them.
  * IRIS_ERR_ARG: null pointer, negative number, or a config value out of range; IRIS_ERR_RANGE: a side outside
  * 1..IRIS_SIDE_MAX, a point outside the picture, or above the point before it; IRIS_ERR_SCRATCH. Outputs are untouched
- * then.
- * O(slices * (points + cells) + hypotheses * (points in the circle's rows)). */
+ * then. O(slices * (points + cells) + hypotheses * points in the circle's rows), a few divisions for each hypothesis. */
 iris_status iris_hough_circles(iris_circle *circles, int32_t capacity, int32_t *count,
                                const iris_circle_edges *edges, const iris_circle_config *config,
                                iris_scratch *scratch);
