@@ -58,4 +58,18 @@ iris_color iris_signature_color_of(int32_t cell, iris_signature_yuv along, int *
 /* The cells of n pixels from x on of a row; n is at most IRIS_SIGNATURE_PIECE. x and n are even for YUYV and UYVY. */
 void iris_signature_cells_row(uint16_t *cells, const void *row, iris_format format, int32_t x, int32_t n);
 
+/* What is learned from. */
+typedef struct {
+    const iris_image *image;
+    iris_rect rect;
+    const iris_signature_lesson *near; /* an earlier lesson, or null */
+} iris_signature_scene;
+
+/* As iris_signature_teach, but not far from an earlier lesson (when there is one): hue within 10 degrees of its range,
+ * lightness from half to one and a half times of it, no cells outside of the range; and not at all when less than half of the
+ * object stands out, or it has turned gray, or from gray to colored:
+ * IRIS_ERR_DATA then, and nothing has changed. */
+iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
+                                 const iris_signature_scene *scene, iris_scratch *scratch);
+
 #endif

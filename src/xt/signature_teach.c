@@ -248,14 +248,15 @@ static int cell_is_in_range(int32_t cell, const iris_signature_lesson *l, const 
 }
 
 static void write_cells(iris_signatures *signatures, uint32_t bit, const pupil *job,
-                        const iris_signature_lesson *result)
+                        const iris_signature_lesson *result, int in_range_only)
 {
     iris_hsl_range_test test;
     (void)iris_hsl_range_prepare(&test, &result->range);
     const int32_t against = -2 * (job->weight[BEYOND] > 0 ? job->weight[BEYOND] : 1), strong = WHOLE / 50;
     for (int32_t cell = 0; cell < IRIS_SIGNATURE_CELLS; cell++) {
         int32_t evidence = job->positive ? job->evidence[cell] : 0;
-        int is_in = evidence >= strong || (evidence > against && cell_is_in_range(cell, result, &test));
+        int is_strong = evidence >= strong && !in_range_only;
+        int is_in = is_strong || (evidence > against && cell_is_in_range(cell, result, &test));
         signatures->cells[cell] = (uint8_t)((signatures->cells[cell] & ~bit) | (is_in ? bit : 0));
     }
 }
@@ -269,6 +270,35 @@ static void count_those_that_have(pupil *job, kind k, int32_t cell, const uint8_
 static int32_t permil(int32_t part, int32_t all)
 {
     return all > 0 ? (int32_t)(((int64_t)part * 1000 + all / 2) / all) : 0;
+}
+
+/* Bounds of hue are brought to 10 degrees around those of the earlier lesson. */
+static void keep_hue(iris_hsl_range *range, const iris_hsl_range *earlier)
+{
+    int32_t base = earlier->h0 + 350, width = (earlier->h1 - earlier->h0 + 360) % 360 + 20;
+    int32_t from = (range->h0 - base + 720) % 360, to = (range->h1 - base + 720) % 360;
+    from = from > width ? 0 : from;
+    to = to > width || to < from ? width : to;
+    range->h0 = (base + from) % 360;
+    range->h1 = (base + to) % 360;
+}
+
+/* Returns 0 when nothing can be learned from this object. */
+static int keep_near(iris_signature_lesson *result, const pupil *job, const iris_signature_lesson *earlier)
+{
+    iris_hsl_range *range = &result->range;
+    const iris_hsl_range *was = &earlier->range;
+    int is_gray = result->chroma0 == 0;
+    if ((int64_t)job->positive * 2 < job->count[OBJECT] || is_gray != (earlier->chroma0 == 0)) {
+        return 0;
+    }
+    if (!is_gray) {
+        keep_hue(range, was);
+    }
+    range->s0 = limited(range->s0, was->s0 / 2, was->s1);
+    range->l0 = limited(range->l0, was->l0 / 2, was->l1);
+    range->l1 = limited(range->l1, range->l0, limited(was->l1 * 3 / 2, 0, 100));
+    return 1;
 }
 
 /* The whole lesson but the cells: evidence and range. */
@@ -299,15 +329,12 @@ static iris_status check(const iris_signatures *signatures, int32_t which, const
     return which < 0 || which >= IRIS_SIGNATURES || !is_inside ? IRIS_ERR_RANGE : IRIS_OK;
 }
 
-iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
-                                 const iris_image *image, iris_rect rect, iris_scratch *scratch)
+iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
+                                 const iris_signature_scene *scene, iris_scratch *scratch)
 {
     iris_signature_lesson result;
-    pupil job = {.image = image, .rect = rect, .signatures = signatures};
-    iris_status status = check(signatures, which, image, rect, scratch);
-    if (status != IRIS_OK) {
-        return status;
-    }
+    const iris_rect rect = scene->rect;
+    pupil job = {.image = scene->image, .rect = rect, .signatures = signatures};
     size_t start = iris_scratch_mark(scratch);
     job.evidence = (int16_t *)iris_scratch_take(scratch, sizeof *job.evidence * IRIS_SIGNATURE_CELLS);
     job.is = (tally *)iris_scratch_take(scratch, sizeof *job.is);
@@ -315,13 +342,16 @@ iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures 
         iris_scratch_release(scratch, start);
         return IRIS_ERR_SCRATCH;
     }
-    int32_t apart_x = rect.w / 8 + 1, apart_y = rect.h / 8 + 1;
-    job.inner = grown(rect, apart_x, apart_y);
+    job.inner = grown(rect, rect.w / 8 + 1, rect.h / 8 + 1);
     job.outer = grown(job.inner, rect.w / 2 + 3, rect.h / 2 + 3);
     job.bit = 1u << which;
     look_at(&result, &job);
-    write_cells(signatures, job.bit, &job, &result);
-    walk(&job, count_those_that_have, &(iris_rect){0, 0, image->w, image->h});
+    if (scene->near && !keep_near(&result, &job, scene->near)) {
+        iris_scratch_release(scratch, start);
+        return IRIS_ERR_DATA;
+    }
+    write_cells(signatures, job.bit, &job, &result, scene->near != NULL);
+    walk(&job, count_those_that_have, &(iris_rect){0, 0, scene->image->w, scene->image->h});
     result.share_permil = permil(job.has[OBJECT], job.count[OBJECT]);
     result.elsewhere_permil = permil(job.has[RING] + job.has[BEYOND], job.count[RING] + job.count[BEYOND]);
     if (lesson) {
@@ -329,4 +359,12 @@ iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures 
     }
     iris_scratch_release(scratch, start);
     return IRIS_OK;
+}
+
+iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
+                                 const iris_image *image, iris_rect rect, iris_scratch *scratch)
+{
+    iris_status status = check(signatures, which, image, rect, scratch);
+    const iris_signature_scene scene = {image, rect, NULL};
+    return status == IRIS_OK ? iris_signature_learn(lesson, signatures, which, &scene, scratch) : status;
 }

@@ -6,55 +6,13 @@
 
 #include "args.h"
 #include "complain.h"
-
-/* Reads "low-high" up to `end` and steps behind it. Returns 0 when *text is not that. */
-static int read_bounds(int32_t bounds[2], const char **text, char end)
-{
-    char piece[24];
-    size_t length = strcspn(*text, ":");
-    if (length >= sizeof piece || (*text)[length] != end) {
-        return 0;
-    }
-    memcpy(piece, *text, length);
-    piece[length] = '\0';
-    *text += length + (end != '\0');
-    return args_numbers(bounds, 2, '-', piece);
-}
-
-static int are_within(const int32_t bounds[2], int32_t most)
-{
-    return bounds[0] >= 0 && bounds[0] <= most && bounds[1] >= 0 && bounds[1] <= most;
-}
-
-static int read_hsl(iris_hsl_range *range, const char *text)
-{
-    int32_t h[2], s[2], l[2];
-    const char *at = text;
-    if (!read_bounds(h, &at, ':') || !read_bounds(s, &at, ':') || !read_bounds(l, &at, '\0')) {
-        complain("--line", "hsl:H0-H1:S0-S1:L0-L1 in whole numbers, not 'hsl:%s'", text);
-        return 0;
-    }
-    if (!are_within(h, 360)) {
-        complain("--line", "hue is 0 to 360 degrees, not %d-%d", (int)h[0], (int)h[1]);
-        return 0;
-    }
-    for (int i = 0; i < 2; i++) {
-        const int32_t *bounds = i == 0 ? s : l;
-        if (!are_within(bounds, 100) || bounds[0] > bounds[1]) {
-            complain("--line", "%s is 0 to 100 percent, low to high, not %d-%d",
-                     i == 0 ? "saturation" : "lightness", (int)bounds[0], (int)bounds[1]);
-            return 0;
-        }
-    }
-    *range = (iris_hsl_range){h[0], h[1], s[0], s[1], l[0], l[1]};
-    return 1;
-}
+#include "hsl_text.h"
 
 static int read_line(iris_follow_config *config, const char *text)
 {
     if (strncmp(text, "hsl:", 4) == 0) {
         config->kind = IRIS_FOLLOW_COLOR;
-        return read_hsl(&config->color, text + 4);
+        return hsl_text_read(&config->color, "--line", ':', text + 4);
     }
     if (strcmp(text, "dark") != 0 && strcmp(text, "bright") != 0) {
         complain("--line", "dark, bright, or hsl:H0-H1:S0-S1:L0-L1, not '%s'", text);

@@ -23,6 +23,7 @@ static const command commands[] = {
     {"follow", cmd_follow, "the line on the floor, and how to steer"},
     {"floor", cmd_floor, "from marks on the floor to millimeters"},
     {"shape", cmd_shape, "a taught shape, found moved, turned, scaled, and partly hidden"},
+    {"lock", cmd_lock, "a colored object, from frame to frame"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
