@@ -356,6 +356,36 @@ static void masks(void **state)
     assert_masks(8);
 }
 
+/* So wide that the marks of a row fill many words: the mask of a blob is that blob alone. */
+static void wide_masks(void **state)
+{
+    (void)state;
+    enum { W = IRIS_SIDE_MAX, H = 9, ROW = W / 32 + 1 };
+    static uint32_t from[ROW * H], to[ROW * H];
+    static IRIS_SCRATCH_BUFFER(room, IRIS_BLOB_SCRATCH_BYTES(W, 4) + IRIS_BLOB_MASK_SCRATCH_BYTES(W, H));
+    iris_image src = {from, ROW * 4, W, H, IRIS_MASK1}, dst = {to, ROW * 4, W, H, IRIS_MASK1};
+    iris_scratch scratch;
+    iris_scratch_init(&scratch, room.memory, sizeof room.memory);
+    for (int kind = 0; kind < 3; kind++) {
+        for (int32_t i = 0; i < W * H; i++) {
+            int32_t x = i % W, y = i / W;
+            uint32_t serpent = x % 2 == 0 || y == (x % 4 == 1 ? H - 1 : 0),
+                     rolled = next_random(&seed) % 1000;
+            uint32_t one = kind == 0 ? serpent : kind == 1 ? rolled < 450 : rolled < 800;
+            from[y * ROW + x / 32] = (from[y * ROW + x / 32] & ~((uint32_t)1 << x % 32)) | one << x % 32;
+        }
+        iris_blob blobs[4], again;
+        iris_blob_table table = {blobs, 4, 0}, single = {&again, 1, 0};
+        iris_blobs(&table, &src, NULL, NULL, &scratch);
+        for (int32_t i = 0; i < table.count && i < 4; i++) {
+            assert_int_equal(iris_blob_mask(&dst, &src, &blobs[i], 8, &scratch), IRIS_OK);
+            assert_int_equal(iris_blobs(&single, &dst, NULL, NULL, &scratch), IRIS_OK);
+            assert_true(single.count == 1 && blob_equal(&again, &blobs[i]));
+        }
+        assert_true(kind == 1 || blobs[0].box.w > 3000);
+    }
+}
+
 static void refused_masks(void **state)
 {
     (void)state;
@@ -396,6 +426,7 @@ int main(void)
         cmocka_unit_test(extremes),
         cmocka_unit_test(filters),
         cmocka_unit_test(masks),
+        cmocka_unit_test(wide_masks),
         cmocka_unit_test(refused_masks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
