@@ -142,7 +142,7 @@ typedef struct {
 } iris_blob_shape;
 
 /* IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: sums that a blob cannot have (as iris_regress_moments). The width of
- * lines longer than 4000 pixels that are not upright or level gets uncertain. O(1): some 1500 instructions on a
+ * lines longer than 4000 pixels that are not upright or level gets uncertain. O(1): some 4500 instructions on a
  * Cortex-M4. */
 iris_status iris_blob_shape_of(iris_blob_shape *shape, const iris_blob *blob);
 
