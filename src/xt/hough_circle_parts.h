@@ -28,8 +28,8 @@ typedef struct {
     int32_t peak_count;
 } circle_search;
 
-/* The side of a cell for this radius: its area grows as the circumference, so that chance brings as large a share of the
- * votes that a circle needs for every radius. */
+/* The side of a cell for this radius: its area grows as the circumference, so that chance brings as large a share of
+ * the votes that a circle needs for every radius. */
 static inline int32_t cell_of(const iris_circle_config *config, int32_t radius)
 {
     int32_t cell = (int32_t)iris_sqrt_u32((uint32_t)radius / 4);

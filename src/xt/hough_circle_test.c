@@ -41,7 +41,8 @@ static ring ring_around(const circle_search *s, const hypothesis *c, int32_t ban
 #define ALONG       13
 #define ALONG_ABOUT 9
 
-/* Is the direction of the point within such an angle of the radius, inwards for bright discs, outwards for dark ones? */
+/* Is the direction of the point within such an angle of the radius, inwards for bright discs, outwards for dark ones?
+ */
 static int points_along(ring *r, const iris_edge_point *p, uint32_t cosine2_q4)
 {
     const iris_circle_polarity polarity = r->s->config.polarity;
@@ -96,8 +97,8 @@ static int32_t first_from(const iris_edge_point *points, int32_t first, int32_t 
 
 typedef enum { GATHER_ALL, GATHER_ALONG, TAKE } purpose;
 
-/* Hands the points of a ring that support no circle yet to the test, all or those that point along, about; or makes those
- * that do support this one. */
+/* Hands the points of a ring that support no circle yet to the test, all or those that point along, about; or makes
+ * those that do support this one. */
 static void walk(circle_search *s, const hypothesis *c, int32_t band_q8, purpose of)
 {
     ring r = ring_around(s, c, band_q8);
@@ -150,8 +151,8 @@ static int32_t find_radius(hypothesis *c, const circle_search *s, int32_t reach_
     return best;
 }
 
-/* Sums over points, counted from a whole pixel: u, v, and z = u^2 + v^2 - r^2. |u|, |v| below 2^11, |z| below 2^17 in the
- * rings that are asked for, n at most 2^15. */
+/* Sums over points, counted from a whole pixel: u, v, and z = u^2 + v^2 - r^2. |u|, |v| below 2^11, |z| below 2^17 in
+ * the rings that are asked for, n at most 2^15. */
 typedef struct {
     int64_t n, u, v, uu, uv, vv, z, uz, vz;
 } sums;
@@ -232,9 +233,9 @@ static int32_t band_of(const hypothesis *c)
 typedef struct {
     int32_t votes, all;
     uint32_t seen; /* sectors */
-    int64_t
-        sideways; /* sum of squared sines of the angle between direction and radius, times r^2; 10 fraction bits */
-    int64_t beyond; /* sum of squared distances from the circle, times 4 r^2; 8 fraction bits */
+    /* sums of squares: of the sine of the angle between direction and radius, times r, 10 fraction bits (each below
+     * 2^28); of the distance from the circle, times 2 r, 8 fraction bits (each below 2^41) */
+    int64_t sideways, beyond;
 } support;
 
 /* Points that it is brighter outside of, inside of, and both. */
@@ -260,9 +261,9 @@ static void support_of(support by[3], const hypothesis *c, const circle_search *
  * then, that of the distance a third of the band's. A circle's points have a tenth of that. 0 to 2048: as by chance. */
 static int64_t scatter_of(const support *t, const hypothesis *c)
 {
-    const int64_t r2_q16 = (int64_t)c->r_q8 * c->r_q8, band2_q16 = (int64_t)band_of(c) * band_of(c);
-    int64_t turned_q10 = t->sideways * 16 * 65536 / (t->votes * r2_q16);
-    int64_t distance2_q16 = t->beyond * 64 * 65536 / (t->votes * r2_q16);
+    const int64_t r2_q8 = (int64_t)c->r_q8 * c->r_q8 / 256, band2_q16 = (int64_t)band_of(c) * band_of(c);
+    int64_t turned_q10 = t->sideways / t->votes * 16 * 256 / r2_q8;
+    int64_t distance2_q16 = t->beyond / t->votes * 64 * 256 / r2_q8;
     return turned_q10 + distance2_q16 * 3 * 1024 / band2_q16;
 }
 
@@ -341,7 +342,8 @@ int iris_circle_test(hypothesis *circle, circle_search *s)
     return circle->votes > 0;
 }
 
-/* The edges of a thin line along the circle lie to both sides of its middle: then the circle moves there. 1 when it does. */
+/* The edges of a thin line along the circle lie to both sides of its middle: then the circle moves there. 1 when it
+ * does. */
 static int find_middle(hypothesis *c, const circle_search *s)
 {
     hypothesis middle = *c;

@@ -11,6 +11,7 @@
 #define H          240
 
 static iris_edge_point points[POINTS_MAX];
+static iris_size field = {W, H};
 static int32_t count_of_points;
 static iris_circle found[300];
 static IRIS_SCRATCH_BUFFER(memory, 1 << 21);
@@ -40,7 +41,7 @@ static void add_arc(disc at, double from, double to, int bright, double blur)
     for (double a = from; a < to; a += 20 / r) {
         int32_t px = (int32_t)floor(x + r * cos(a * turn) + .5),
                 py = (int32_t)floor(y + r * sin(a * turn) + .5);
-        if ((px != last_x || py != last_y) && px >= 0 && py >= 0 && px < W && py < H) {
+        if ((px != last_x || py != last_y) && px >= 0 && py >= 0 && px < field.w && py < field.h) {
             double angle = atan2(py - y, px - x) / turn + (bright ? 180 : 0) + random_between(-blur, blur);
             assert_true(count_of_points < POINTS_MAX);
             points[count_of_points++] = (iris_edge_point){
@@ -71,13 +72,13 @@ static iris_circle_config sensible(int32_t radius_min, int32_t radius_max)
 
 static size_t scratch_for(const iris_circle_config *config)
 {
-    return IRIS_CIRCLE_SCRATCH_BYTES(W, H, count_of_points, config->cell, config->max_hypotheses);
+    return IRIS_CIRCLE_SCRATCH_BYTES(field.w, field.h, count_of_points, config->cell, config->max_hypotheses);
 }
 
 static iris_status run(int32_t capacity, int32_t *count, const iris_circle_config *config)
 {
     iris_scratch scratch;
-    const iris_circle_edges edges = {points, count_of_points, {W, H}};
+    const iris_circle_edges edges = {points, count_of_points, field};
     qsort(points, (size_t)count_of_points, sizeof points[0], by_rows);
     assert_true(scratch_for(config) <= sizeof memory.memory);
     assert_int_equal(iris_scratch_init(&scratch, memory.memory, scratch_for(config)), IRIS_OK);
@@ -123,6 +124,27 @@ static void sub_pixel(void **state)
         assert_int_equal(find(count, x, y, r, i % 3 ? .25 : .15), 0);
         assert_true(found[0].votes >= on_circle * 9 / 10 && found[0].votes <= on_circle + 20);
     }
+}
+
+/* Sums stay within their numbers: a ring as wide as what counts. */
+static void huge(void **state)
+{
+    (void)state;
+    int32_t count;
+    iris_circle_config config = sensible(900, 1023);
+    config.cell = 4;
+    field = (iris_size){2200, 2200};
+    for (int wide = 0; wide <= 6; wide += 6) {
+        count_of_points = 0;
+        for (int k = -wide; k <= wide; k += 3) {
+            add_arc((disc){1100.25, 1099.5, 1000.5 + k}, 0, 360, 1, 5);
+        }
+        assert_int_equal(run(300, &count, &config), IRIS_OK);
+        assert_int_equal(count, 1);
+        assert_true(find(count, 1100.25, 1099.5, 1000.5, .2) == 0);
+        assert_true(found[0].votes > 6000 + 1000 * wide);
+    }
+    field = (iris_size){W, H};
 }
 
 static void one_radius(void **state)
@@ -525,12 +547,12 @@ static void bad_votes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sub_pixel), cmocka_unit_test(one_radius),      cmocka_unit_test(polarity),
-        cmocka_unit_test(parts),     cmocka_unit_test(distance),        cmocka_unit_test(drawn_line),
-        cmocka_unit_test(many),      cmocka_unit_test(nothing),         cmocka_unit_test(hostile),
-        cmocka_unit_test(slice),     cmocka_unit_test(slice_saturates), cmocka_unit_test(discs_in_noise),
-        cmocka_unit_test(coins),     cmocka_unit_test(bad_configs),     cmocka_unit_test(bad_calls),
-        cmocka_unit_test(bad_votes),
+        cmocka_unit_test(sub_pixel),      cmocka_unit_test(huge),      cmocka_unit_test(one_radius),
+        cmocka_unit_test(polarity),       cmocka_unit_test(parts),     cmocka_unit_test(distance),
+        cmocka_unit_test(drawn_line),     cmocka_unit_test(many),      cmocka_unit_test(nothing),
+        cmocka_unit_test(hostile),        cmocka_unit_test(slice),     cmocka_unit_test(slice_saturates),
+        cmocka_unit_test(discs_in_noise), cmocka_unit_test(coins),     cmocka_unit_test(bad_configs),
+        cmocka_unit_test(bad_calls),      cmocka_unit_test(bad_votes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
