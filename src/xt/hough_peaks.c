@@ -106,3 +106,20 @@ iris_status iris_hough_peaks(iris_hough_line *lines, int32_t capacity, int32_t *
     *count = found;
     return found > capacity ? IRIS_ERR_FULL : IRIS_OK;
 }
+
+int32_t iris_hough_votes_beyond_chance(const iris_hough_config *config, iris_size size, int32_t points,
+                                       int with_direction)
+{
+    enum { LEAST = 25, FACTOR = 12 };
+    iris_hough_config by;
+    iris_hough_defaults(&by);
+    by = config ? *config : by;
+    int64_t shorter = size.w < size.h ? size.w : size.h, share_q16 = 65536;
+    if (with_direction && by.spread >= 0) {
+        share_q16 = (int64_t)by.spread * 131072 / (by.full_circle ? 2 * HOUGH_HALF_TURN : HOUGH_HALF_TURN);
+    }
+    int64_t step = hough_outside(by.rho_step, 1, IRIS_HOUGH_RHO_STEP_MAX) ? 1 : by.rho_step;
+    int64_t mean_q16 = (points > 0 ? points : 0) * step * share_q16 / (shorter > 0 ? shorter : 1);
+    int64_t votes = (mean_q16 >> 16) + (iris_sqrt_u64((uint64_t)mean_q16 * (FACTOR * FACTOR)) >> 8);
+    return (int32_t)(votes < LEAST ? LEAST : votes > HOUGH_VOTES_MAX ? HOUGH_VOTES_MAX : votes);
+}

@@ -14,23 +14,23 @@ static const char help[] =
     "Straight lines by Hough transform. In gray and color pictures Canny's edges vote for the\n"
     "lines along them, in masks (1-bit files) each white pixel for all lines through it.\n\n"
     "  --low L, --high H  thresholds of edges: |dx| + |dy| of Sobel's operator, 0 to 32767;\n"
-    "                    default 40 and 100\n"
-    "  --sigma S          smooths first, by a Gaussian of S pixels, 0.1 to 40; 0 does not;\n"
+    "                    default 12 and 30\n"
+    "  --sigma S         smooths first, by a Gaussian of S pixels, 0.1 to 40; 0 does not;\n"
     "                    default 1.4\n"
-    "  --mask             takes gray and color pictures as masks, white above 127\n"
-    "  --votes N          the least votes of a line, 1 to 65535; default a twentieth of\n"
-    "                    the picture's longer side, at least 25; its segments have as many points\n"
-    "  --angles LO,HI     only lines at LO to HI degrees: 0 upright, positive when leaning right,\n"
+    "  --mask            takes gray and color pictures as masks, white above 127\n"
+    "  --votes N         the least votes of a line, 1 to 65535; default more than a line gets by\n"
+    "                    chance, at least 25. Its segments have as many points\n"
+    "  --angles LO,HI    only lines at LO to HI degrees: 0 upright, positive when leaning right,\n"
     "                    -90 to 90 (0 to 360 with --full-circle); LO above HI: through the\n"
     "                    level lines\n"
-    "  --theta-bins N     angles that are told apart, 1 to 4096; default 180\n"
-    "  --rho-step N       1, 2, 4 to 64 pixels; default by the picture's size\n"
-    "  --gap N            the longest gap in a segment, pixels; default 8\n"
-    "  --min-length N     the shortest segment, pixels; default 20\n"
-    "  --count N          the best N lines at most\n"
-    "  --full-circle      theta from 0 to 360 degrees: where it gets brighter, so that the two\n"
+    "  --theta-bins N    angles that are told apart, 1 to 4096; default 180\n"
+    "  --rho-step N      1, 2, 4 to 64 pixels; default by the picture's size\n"
+    "  --gap N           the longest gap in a segment, pixels; default 8\n"
+    "  --min-length N    the shortest segment, pixels; default 20\n"
+    "  --count N         the best N lines at most\n"
+    "  --full-circle     theta from 0 to 360 degrees: where it gets brighter, so that the two\n"
     "                    sides of a stripe differ; of a mask: with rho not below 0\n"
-    "  --accumulator OUT  writes the votes as a gray picture, too: a row for each angle, from LO\n"
+    "  --accumulator OUT writes the votes as a gray picture, too: a row for each angle, from LO\n"
     "                    down, and a column for each rho\n" OPERATION_OPTIONS "\n"
     "JSON has lines, each a segment: rho and theta_deg are those of its line,\n"
     "x cos theta + y sin theta = rho, with x and y counted from the middle of the picture (of the\n"
@@ -40,8 +40,6 @@ static const char help[] =
 
 #define LINES_MAX    4096
 #define SEGMENTS_MAX 65536
-#define VOTES_LEAST                                                                                          \
-    25 /* of 32 pictures of 320x240 with nothing in them but noise, slopes, and clouds, none has a line then */
 
 typedef struct {
     iris_canny_config canny;
@@ -64,6 +62,7 @@ typedef struct {
 typedef struct {
     const settings *by;
     const iris_image *mask; /* null: edges vote */
+    int32_t selected;       /* pixels of the mask */
     iris_hough_edges edges;
     iris_hough hough;
     iris_hough_line *lines;
@@ -80,16 +79,11 @@ static int32_t theta_separation(const iris_hough_config *config)
     return bins < 1 ? 1 : bins > IRIS_HOUGH_SEPARATION_MAX ? IRIS_HOUGH_SEPARATION_MAX : bins;
 }
 
-/* Bins that fit each other (hough.h): an angle moves a line's ends by 1 to 3 steps of rho. Votes by chance are more in a
- * larger picture. */
-static iris_hough_config config_of(const settings *by, iris_size size, int is_mask)
+/* Bins that fit each other (hough.h): an angle moves a line's ends by 1 to 3 steps of rho. */
+static iris_hough_config config_of(const settings *by, iris_size size, int32_t points, int is_mask)
 {
     iris_hough_config config = by->hough;
     int32_t longer = size.w > size.h ? size.w : size.h;
-    config.min_votes = by->votes;
-    if (by->votes == 0) {
-        config.min_votes = longer / 20 < VOTES_LEAST ? VOTES_LEAST : longer / 20;
-    }
     config.rho_step = by->rho_step;
     if (by->rho_step == 0) {
         config.rho_step = 1;
@@ -97,6 +91,8 @@ static iris_hough_config config_of(const settings *by, iris_size size, int is_ma
             config.rho_step *= 2;
         }
     }
+    config.min_votes =
+        by->votes > 0 ? by->votes : iris_hough_votes_beyond_chance(&config, size, points, !is_mask);
     config.theta_separation = theta_separation(&config);
     config.rho_separation = 4;
     config.rho_min = is_mask && config.full_circle ? 0 : config.rho_min;
@@ -120,7 +116,8 @@ static int make_room(search *in, operation_stage *stage)
 {
     iris_size size = in->edges.size;
     size_t points = in->mask ? 0 : (size_t)size.w * (size_t)size.h;
-    int32_t most = in->mask ? selected_pixels(in->mask) : size.w * size.h;
+    in->selected = in->mask ? selected_pixels(in->mask) : 0;
+    int32_t most = in->mask ? in->selected : size.w * size.h;
     size_t segments = (size_t)(most < SEGMENTS_MAX ? most : SEGMENTS_MAX);
     char *room = stage_room(stage, sizeof *in->found + segments * sizeof *in->found->segments +
                                        LINES_MAX * sizeof *in->lines + points * sizeof *in->edges.points);
@@ -139,12 +136,13 @@ static iris_status vote(search *in, const iris_image *gray, iris_scratch *scratc
 {
     const settings *by = in->by;
     iris_size size = in->edges.size;
-    iris_hough_config config = config_of(by, size, in->mask != NULL);
     iris_status status = IRIS_OK;
     if (gray) {
         status =
             iris_edge_points(in->edges.points, size.w * size.h, &in->edges.count, gray, &by->canny, scratch);
     }
+    iris_hough_config config =
+        config_of(by, size, in->mask ? in->selected : in->edges.count, in->mask != NULL);
     if (status == IRIS_OK) {
         status = iris_hough_begin(&in->hough, size, &config, scratch);
     }
@@ -357,6 +355,8 @@ static int read_sigma(iris_canny_config *canny, const char *text)
 static void set_defaults(settings *by)
 {
     iris_canny_defaults(&by->canny);
+    by->canny.low = 12; /* low: votes by chance are known, and lines may be faint */
+    by->canny.high = 30;
     iris_hough_defaults(&by->hough);
     iris_hough_segment_defaults(&by->segments);
     by->count = LINES_MAX;
