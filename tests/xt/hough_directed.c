@@ -241,6 +241,43 @@ static void the_largest_image(void **state)
     assert_int_equal(sum, 8 * 16); /* almost 90 degrees to both sides, rounded: all */
 }
 
+/* The formula in double precision; strewn points reach it nowhere. */
+static void votes_by_chance(void **state)
+{
+    (void)state;
+    iris_hough_config config = config_of(180, 1, 1);
+    for (int i = 0; i < 2000; i++) {
+        iris_size size = {any(1, 3000), any(1, 3000)};
+        config.rho_step = 1 << any(0, 6);
+        config.spread = (iris_angle)any(0, IRIS_HOUGH_SPREAD_MAX);
+        config.full_circle = any(0, 1);
+        int32_t points = i % 10 ? any(0, 100000) : any(0, 1 << 30), directed = any(0, 1);
+        double mean = (double)points * config.rho_step / (size.w < size.h ? size.w : size.h);
+        mean *= directed ? 2.0 * config.spread / (config.full_circle ? 65536 : 32768) : 1;
+        double votes = fmin(fmax(mean + 12 * sqrt(mean), 25), 65535);
+        int32_t given = iris_hough_votes_beyond_chance(&config, size, points, directed);
+        assert_true(fabs(given - votes) <= 2 + votes / 1000);
+    }
+    assert_int_equal(iris_hough_votes_beyond_chance(NULL, (iris_size){0, -5}, -9, 1), 25);
+    assert_int_equal(iris_hough_votes_beyond_chance(NULL, (iris_size){1, 1}, INT32_MAX, 0), 65535);
+    config = config_of(60, 1, 1);
+    for (int round = 0; round < 20; round++) {
+        iris_scratch scratch;
+        iris_size size = {200, 150};
+        int32_t points = any(100, 5000);
+        config.min_votes = iris_hough_votes_beyond_chance(&config, size, points, 1);
+        iris_hough hough = begun(size, &config, &scratch);
+        for (int32_t i = 0; i < points; i++) {
+            iris_edge_point point = {(int16_t)any(0, 199), (int16_t)any(0, 149),
+                                     (iris_angle)any(-32768, 32767)};
+            assert_int_equal(iris_hough_vote_edges(&hough, &point, 1), IRIS_OK);
+        }
+        int32_t found;
+        assert_int_equal(iris_hough_peaks(NULL, 0, &found, &hough), IRIS_OK);
+        assert_int_equal(found, 0);
+    }
+}
+
 static void wrong_calls_are_refused(void **state)
 {
     (void)state;
@@ -290,6 +327,7 @@ int main(void)
         cmocka_unit_test(each_line_once_with_rho_from_0),
         cmocka_unit_test(votes_saturate),
         cmocka_unit_test(the_largest_image),
+        cmocka_unit_test(votes_by_chance),
         cmocka_unit_test(wrong_calls_are_refused),
     };
     return cmocka_run_group_tests_name("hough, directed", tests, NULL, NULL);

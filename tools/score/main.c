@@ -51,6 +51,7 @@ int main(int argc, char **argv)
     score_blobs(&s);
     score_circles(&s);
     score_floor(&s);
+    score_lines(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;
