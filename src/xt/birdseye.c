@@ -5,9 +5,11 @@
 #include "../foundation/views.h"
 #include "floor_parts.h"
 
-#define RUN_BITS 5    /* pixels between two exact positions: 2^RUN_BITS at most */
-#define BEND     8192 /* 4/32 of a pixel, 16 fraction bits: see may_join */
-#define ENTRY    45   /* bits of a number that is multiplied with a pixel's x or y */
+#define RUN_BITS 7 /* pixels between two exact positions: 2^RUN_BITS at most */
+#define PIECE                                                                                                \
+    16 /* pixels that are drawn at once: without looking for the picture's edge when it is not there */
+#define BEND  8192 /* 4/32 of a pixel, 16 fraction bits: see may_join */
+#define ENTRY 45   /* bits of a number that is multiplied with a pixel's x or y */
 
 iris_status iris_birdseye_init(iris_birdseye *birdseye, const iris_floor *floor,
                                const iris_birdseye_window *window)
@@ -55,6 +57,7 @@ typedef struct {
 typedef struct {
     ray first, step; /* of the row's first pixel, and from each to the next */
     int32_t x, w;
+    int bits; /* to try: the next run may be of 2^bits pixels */
     knot here;
 } walk;
 
@@ -98,7 +101,7 @@ static knot knot_at(const walk *w, int32_t x)
 
 static walk walk_of(const iris_birdseye *b, int32_t y)
 {
-    walk made = {.x = 0, .w = b->window.size.w};
+    walk made = {.w = b->window.size.w, .bits = RUN_BITS};
     const int64_t *row = b->row;
     made.first = (ray){row[1] * y + row[2], row[4] * y + row[5], row[7] * y + row[8]};
     made.step = (ray){row[0], row[3], row[6]};
@@ -132,7 +135,7 @@ static int next_run(run *to, walk *w)
     if (w->x >= w->w) {
         return 0;
     }
-    int bits = RUN_BITS;
+    int bits = w->bits;
     knot there = knot_at(w, w->x + (1 << bits));
     while (bits > 0 && !may_join(&w->here, &there)) {
         there = knot_at(w, w->x + (1 << --bits));
@@ -147,6 +150,7 @@ static int next_run(run *to, walk *w)
     to->n = n < w->w - w->x ? n : w->w - w->x;
     w->x += n;
     w->here = there;
+    w->bits = bits < RUN_BITS ? bits + 1 : bits;
     return 1;
 }
 
@@ -201,9 +205,11 @@ static void draw_edge(uint8_t *to, const run *r, const iris_image *src, int chan
 static void draw_gray(uint8_t *to, const run *r, const iris_image *src)
 {
     int32_t x = r->x + 128, y = r->y + 128;
+    const int32_t dx = r->dx, dy = r->dy, n = r->n;
     const uint8_t *pixels = src->data;
-    for (int32_t i = 0; i < r->n; i++, x += r->dx, y += r->dy) {
-        const uint8_t *above = pixels + (y >> 16) * src->stride + (x >> 16), *below = above + src->stride;
+    const ptrdiff_t stride = src->stride;
+    for (int32_t i = 0; i < n; i++, x += dx, y += dy) {
+        const uint8_t *above = pixels + (y >> 16) * stride + (x >> 16), *below = above + stride;
         uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
         uint32_t left = above[0] | (uint32_t)below[0] << 16, other = above[1] | (uint32_t)below[1] << 16;
         uint32_t both = left * (256 - right) + other * right; /* above and below, 16 bits each */
@@ -214,9 +220,11 @@ static void draw_gray(uint8_t *to, const run *r, const iris_image *src)
 static void draw_color(uint8_t *to, const run *r, const iris_image *src)
 {
     int32_t x = r->x + 128, y = r->y + 128;
+    const int32_t dx = r->dx, dy = r->dy, n = r->n;
     const uint8_t *pixels = src->data;
-    for (int32_t i = 0; i < r->n; i++, x += r->dx, y += r->dy, to += 3) {
-        const uint8_t *above = pixels + (y >> 16) * src->stride + (x >> 16) * 3, *below = above + src->stride;
+    const ptrdiff_t stride = src->stride;
+    for (int32_t i = 0; i < n; i++, x += dx, y += dy, to += 3) {
+        const uint8_t *above = pixels + (y >> 16) * stride + (x >> 16) * 3, *below = above + stride;
         uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
         for (int c = 0; c < 3; c++) {
             to[c] = blend(above[c], above[3 + c], below[c], below[3 + c], right, down);
@@ -236,11 +244,17 @@ static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_imag
     int channels = src->format == IRIS_GRAY8 ? 1 : 3;
     walk w = walk_of(birdseye, y);
     run r;
-    for (; next_run(&r, &w); to += r.n * channels) {
-        if (!r.exists || !is_inside(place_in(&r, 0), src) || !is_inside(place_in(&r, r.n - 1), src)) {
-            draw_edge(to, &r, src, channels, birdseye->window.fill);
-        } else {
-            (channels == 1 ? draw_gray : draw_color)(to, &r, src);
+    while (next_run(&r, &w)) {
+        for (int32_t first = 0; first < r.n; first += PIECE) {
+            int32_t n = r.n - first < PIECE ? r.n - first : PIECE;
+            iris_place at = place_in(&r, first);
+            const run piece = {n, r.exists, at.x_q16, at.y_q16, r.dx, r.dy};
+            if (!r.exists || !is_inside(at, src) || !is_inside(place_in(&piece, n - 1), src)) {
+                draw_edge(to, &piece, src, channels, birdseye->window.fill);
+            } else {
+                (channels == 1 ? draw_gray : draw_color)(to, &piece, src);
+            }
+            to += n * channels;
         }
     }
 }

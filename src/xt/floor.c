@@ -40,22 +40,26 @@ static int project(iris_place *to, const int64_t m[9], iris_place at)
 /* Where the rows and columns of the cofactor of each entry of the transposed matrix are. */
 static const uint8_t other[3][2] = {{1, 2}, {2, 0}, {0, 1}};
 
+/* Entry i of the adjugate. */
+static iris_wide cofactor(const int64_t m[9], int i)
+{
+    const uint8_t *r = other[i % 3], *c = other[i / 3];
+    return iris_wide_sub(iris_wide_mul(m[3 * r[0] + c[0]], m[3 * r[1] + c[1]]),
+                         iris_wide_mul(m[3 * r[0] + c[1]], m[3 * r[1] + c[0]]));
+}
+
 /* The adjugate: as good an inverse as any, its scale does not matter. Returns the sign of the determinant. */
 static int invert(int64_t inverse[9], const int64_t m[9])
 {
-    iris_wide cofactor[9];
     int bits = 0;
     for (int i = 0; i < 9; i++) {
-        const uint8_t *r = other[i % 3], *c = other[i / 3];
-        cofactor[i] = iris_wide_sub(iris_wide_mul(m[3 * r[0] + c[0]], m[3 * r[1] + c[1]]),
-                                    iris_wide_mul(m[3 * r[0] + c[1]], m[3 * r[1] + c[0]]));
-        int needed = iris_wide_bits(cofactor[i]);
+        int needed = iris_wide_bits(cofactor(m, i));
         bits = needed > bits ? needed : bits;
     }
     int shift = bits > ENTRY_BITS ? bits - ENTRY_BITS : 0;
     iris_wide determinant = {0, 0};
     for (int i = 0; i < 9; i++) {
-        inverse[i] = iris_wide_round_shift_sat(cofactor[i], shift);
+        inverse[i] = iris_wide_round_shift_sat(cofactor(m, i), shift);
     }
     for (int i = 0; i < 3; i++) {
         determinant = iris_wide_add(determinant, iris_wide_mul(m[i], inverse[3 * i]));

@@ -20,10 +20,16 @@ typedef struct {
     iris_q32 x, y, u, v;
 } pair;
 
-/* The upper triangle of the equations so far, and their right side. */
+/* The upper triangle of the equations so far, and their right side: row j has the columns j to UNKNOWNS. */
 typedef struct {
-    iris_q32 row[UNKNOWNS][UNKNOWNS + 1];
+    iris_q32 numbers[UNKNOWNS * (UNKNOWNS + 3) / 2];
 } equations;
+
+/* Where column 0 of row j would be. */
+static int start_of(int j)
+{
+    return j * UNKNOWNS - j * (j - 1) / 2;
+}
 
 typedef struct {
     const iris_floor_mark *marks;
@@ -165,7 +171,7 @@ static void turn_onto(iris_q30 *cosine, iris_q30 *sine, iris_q32 a, iris_q32 b)
 static void equations_add(equations *e, iris_q32 row[UNKNOWNS + 1])
 {
     for (int j = 0; j < UNKNOWNS; j++) {
-        iris_q32 *kept = e->row[j];
+        iris_q32 *kept = e->numbers + start_of(j);
         iris_q30 cosine, sine;
         if (row[j] == 0) {
             continue;
@@ -183,7 +189,7 @@ static void equations_add(equations *e, iris_q32 row[UNKNOWNS + 1])
 static int equations_solve(iris_q32 solution[UNKNOWNS], const equations *e)
 {
     for (int i = UNKNOWNS - 1; i >= 0; i--) {
-        const iris_q32 *row = e->row[i];
+        const iris_q32 *row = e->numbers + start_of(i);
         iris_wide sum = iris_wide_mul(row[UNKNOWNS], IRIS_Q32_ONE);
         if (row[i] < SINGULAR && row[i] > -SINGULAR) {
             return 0;
@@ -232,7 +238,7 @@ static void add_coordinate(equations *e, const pair *at, int first, iris_q32 t, 
 /* The first solution, which makes algebraic errors least. */
 static int solve_linear(iris_q32 h[UNKNOWNS], equations *e, const problem *of)
 {
-    *e = (equations){{{0}}};
+    *e = (equations){{0}};
     for (int32_t i = 0; i < of->count; i++) {
         pair at = pair_of(of, i);
         add_coordinate(e, &at, 0, at.u, IRIS_Q32_ONE, at.u);
@@ -245,7 +251,7 @@ static int solve_linear(iris_q32 h[UNKNOWNS], equations *e, const problem *of)
 static int64_t linearize(equations *e, const iris_q32 h[UNKNOWNS], const problem *of)
 {
     int64_t sum = 0;
-    *e = (equations){{{0}}};
+    *e = (equations){{0}};
     for (int32_t i = 0; i < of->count; i++) {
         pair at = pair_of(of, i), put;
         iris_q32 w;

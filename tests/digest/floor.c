@@ -17,7 +17,7 @@ static void draw_marks(iris_floor_mark *marks, int32_t count)
 
 static int digest_fit(iris_floor *floor, int32_t count)
 {
-    iris_floor_mark marks[20];
+    iris_floor_mark *marks = digest_take(20 * sizeof *marks);
     iris_floor_quality quality = {.flaw = IRIS_FLOOR_FINE};
     draw_marks(marks, count);
     iris_status status = iris_floor_fit(floor, &quality, (iris_size){320, 240}, marks, count);
@@ -70,16 +70,16 @@ static void points(void)
 
 static void text(void)
 {
-    iris_floor floor, again = {.size = {0, 0}};
-    char made[IRIS_FLOOR_TEXT_BYTES];
+    iris_floor *floor = digest_take(sizeof *floor), *again = digest_take(sizeof *again);
+    char *made = digest_take(IRIS_FLOOR_TEXT_BYTES);
     size_t length = 0;
     int32_t line = 0;
-    if (digest_fit(&floor, 7)) {
-        digest_number(iris_floor_write_text(made, sizeof made, &length, &floor));
+    if (digest_fit(floor, 7)) {
+        digest_number(iris_floor_write_text(made, IRIS_FLOOR_TEXT_BYTES, &length, floor));
         digest_bytes(made, length);
-        digest_number(iris_floor_read_text(&again, &line, made, length));
-        digest_number(again.to_floor[5]);
-        digest_number(iris_floor_read_text(&again, &line, made, length / 2));
+        digest_number(iris_floor_read_text(again, &line, made, length));
+        digest_number(again->to_floor[5]);
+        digest_number(iris_floor_read_text(again, &line, made, length / 2));
         digest_number(line);
     }
 }
@@ -119,7 +119,7 @@ static void birdseye_places(void)
 {
     iris_floor floor;
     iris_birdseye birdseye;
-    iris_place places[64];
+    iris_place *places = digest_take(64 * sizeof *places);
     iris_birdseye_window window = {
         .size = {64, 48}, .corner = iris_place_of(-300, 1400), .mm_per_pixel_q16 = 900000};
     if (!digest_fit(&floor, 9)) {
@@ -128,7 +128,7 @@ static void birdseye_places(void)
     digest_number(iris_birdseye_init(&birdseye, &floor, &window));
     for (int32_t y = 0; y < 48; y += 5) {
         digest_number(iris_birdseye_places(places, &birdseye, y));
-        digest_bytes(places, sizeof places);
+        digest_bytes(places, 64 * sizeof *places);
     }
 }
 

@@ -19,6 +19,21 @@ static void prepare(void)
     (void)iris_floor_fit(&floor_below, &quality, (iris_size){w, h}, marks, 4);
 }
 
+/* The floor of eight marks that are a little off. */
+static iris_status fit(void)
+{
+    iris_floor_mark marks[8];
+    iris_floor_quality quality;
+    iris_floor found;
+    for (int32_t i = 0; i < 8; i++) {
+        iris_place at = iris_place_of((i & 1) * 200 - 100 + 9 * i, 150 + 40 * i);
+        marks[i].floor = at;
+        (void)iris_floor_image(&marks[i].image, &floor_below, at);
+        marks[i].image.x_q16 += i * 7919 % 65536 - 32768;
+    }
+    return iris_floor_fit(&found, &quality, floor_below.size, marks, 8);
+}
+
 /* 192 on a frame of 160x120: an instruction per pixel is a hundred for one. */
 #define TIMES 192
 
@@ -75,6 +90,7 @@ static iris_status birdseye_color(void)
 }
 
 const bench_case bench_floor[] = {
+    {"floor from eight marks", fit, prepare},
     {"floor: 192 points to millimeters", point, prepare},
     {"floor: 192 directions to true angles", angle, prepare},
     {"floor: goal of a pursuit", pursuit, prepare},

@@ -51,7 +51,7 @@ void iris_pursuit_defaults(iris_pursuit_config *config);
  * from straight ahead: -1 left, 1 right, 0 unknown (the end that the follower calls the far one).
  *   line    of pictures that floor was made for; any values: at most IRIS_FOLLOW_SEGMENTS_MAX segments count
  *   config  null for the defaults
- * IRIS_ERR_ARG: null pointer, or a config value outside its range. O(segments): some 10 000 instructions on a Cortex-M4
+ * IRIS_ERR_ARG: null pointer, or a config value outside its range. O(segments): some 2500 instructions on a Cortex-M4
  * for each. */
 iris_status iris_pursuit_find(iris_pursuit_goal *goal, const iris_floor *floor,
                               const iris_follow_result *line, int32_t side,
