@@ -81,6 +81,18 @@ int32_t iris_thinning_run(iris_thinning *thinning, iris_skeleton_method method);
 /* The ends of lines among the pixels of a word. */
 uint64_t iris_ends_of_word(const uint64_t *above, const uint64_t *word, const uint64_t *below);
 
+/* Branch points among them. */
+uint64_t iris_branches_of_word(const uint64_t *above, const uint64_t *word, const uint64_t *below);
+
+/* The neighbors of pixel (x, y) as bits, clockwise from the one above, where they are, and whether the pixel between
+ * them is a branch point as iris_skeleton_branches says. */
+extern const int8_t iris_step_x[8], iris_step_y[8];
+unsigned iris_skeleton_neighbors(const iris_thinning *skeleton, int32_t x, int32_t y);
+int iris_skeleton_is_branch(unsigned neighbors);
+
+/* Takes pixel (x, y) away; the next iris_thinning_run looks at what is around it. */
+void iris_thinning_clear(const iris_thinning *thinning, int32_t x, int32_t y);
+
 /* Takes the short branches of a skeleton away, which dst holds too. */
 void iris_skeleton_prune_branches(const iris_image *dst, iris_thinning *skeleton, int32_t length);
 

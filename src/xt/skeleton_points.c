@@ -16,7 +16,7 @@ uint64_t iris_ends_of_word(const uint64_t *above, const uint64_t *word, const ui
     return *word & iris_groups_one(&groups) & ~three;
 }
 
-static uint64_t branches(const uint64_t *above, const uint64_t *word, const uint64_t *below)
+uint64_t iris_branches_of_word(const uint64_t *above, const uint64_t *word, const uint64_t *below)
 {
     iris_around a = iris_around_word(above, word, below);
     iris_groups g = iris_groups_around(&a);
@@ -66,5 +66,5 @@ iris_status iris_skeleton_ends(const iris_image *dst, const iris_image *src, iri
 
 iris_status iris_skeleton_branches(const iris_image *dst, const iris_image *src, iris_scratch *scratch)
 {
-    return find(dst, src, branches, scratch);
+    return find(dst, src, iris_branches_of_word, scratch);
 }

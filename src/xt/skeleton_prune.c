@@ -1,8 +1,7 @@
 #include "skeleton_parts.h"
 
-/* The neighbors of a pixel as bits, clockwise from the one above, and where they are. */
-static const int8_t step_x[8] = {0, 1, 1, 1, 0, -1, -1, -1};
-static const int8_t step_y[8] = {-1, -1, 0, 1, 1, 1, 0, -1};
+const int8_t iris_step_x[8] = {0, 1, 1, 1, 0, -1, -1, -1};
+const int8_t iris_step_y[8] = {-1, -1, 0, 1, 1, 1, 0, -1};
 
 /* Pixels x - 1, x, x + 1 of a row. */
 static unsigned three_at(const uint64_t *row, int32_t x)
@@ -16,7 +15,7 @@ static unsigned three_at(const uint64_t *row, int32_t x)
     return (unsigned)(bits & 7);
 }
 
-static unsigned neighbors(const iris_thinning *skeleton, int32_t x, int32_t y)
+unsigned iris_skeleton_neighbors(const iris_thinning *skeleton, int32_t x, int32_t y)
 {
     const uint64_t *row = skeleton->words + (ptrdiff_t)y * skeleton->stride;
     unsigned above = three_at(row - skeleton->stride, x), at = three_at(row, x);
@@ -25,8 +24,7 @@ static unsigned neighbors(const iris_thinning *skeleton, int32_t x, int32_t y)
            (at & 1) << 6 | (above & 1) << 7;
 }
 
-/* As iris_skeleton_branches says. */
-static int is_branch(unsigned around)
+int iris_skeleton_is_branch(unsigned around)
 {
     unsigned twice = around | around << 8;
     unsigned begins = ~around & twice >> 1 & 0xFF;
@@ -47,7 +45,7 @@ static int32_t walk(const iris_image *erased, const iris_thinning *skeleton, int
 {
     unsigned back = 0;
     for (int32_t count = 1; count < limit; count++) {
-        unsigned next = neighbors(skeleton, x, y) & ~back;
+        unsigned next = iris_skeleton_neighbors(skeleton, x, y) & ~back;
         if (erased) {
             clear(erased, x, y);
         }
@@ -55,7 +53,8 @@ static int32_t walk(const iris_image *erased, const iris_thinning *skeleton, int
         for (int i = 0; i < 8; i++) {
             if (next >> i & 1) {
                 to = i;
-                if (is_branch(neighbors(skeleton, x + step_x[i], y + step_y[i]))) {
+                if (iris_skeleton_is_branch(
+                        iris_skeleton_neighbors(skeleton, x + iris_step_x[i], y + iris_step_y[i]))) {
                     return count;
                 }
             }
@@ -63,8 +62,8 @@ static int32_t walk(const iris_image *erased, const iris_thinning *skeleton, int
         if (to < 0) {
             return limit;
         }
-        x += step_x[to];
-        y += step_y[to];
+        x += iris_step_x[to];
+        y += iris_step_y[to];
         back = 1u << (to + 4) % 8;
     }
     return limit;

@@ -56,6 +56,14 @@ void iris_thinning_load(iris_thinning *thinning, const iris_image *mask)
     }
 }
 
+void iris_thinning_clear(const iris_thinning *thinning, int32_t x, int32_t y)
+{
+    ptrdiff_t at = (ptrdiff_t)y * thinning->stride + x / 64;
+    uint64_t bit = (uint64_t)1 << x % 64;
+    thinning->words[at] &= ~bit;
+    wake(thinning->lives + at, thinning->stride, bit, SIDES);
+}
+
 void iris_thinning_store(const iris_image *mask, const iris_thinning *thinning)
 {
     for (int32_t y = 0; y < thinning->h; y++) {

@@ -1,0 +1,71 @@
+#include "digest.h"
+
+#include "iris/xt/junction.h"
+#include "iris/xt/line_mask.h"
+#include "iris/xt/threshold.h"
+
+#define W 131
+#define H 90
+
+static void digest_junctions(const iris_image *mask)
+{
+    iris_junction found[IRIS_JUNCTIONS_MAX];
+    int32_t count = 0;
+    iris_scratch scratch = digest_scratch(IRIS_JUNCTION_SCRATCH_BYTES(W, H));
+    digest_number(iris_junctions_find(found, IRIS_JUNCTIONS_MAX, &count, mask, NULL, &scratch));
+    digest_number(count);
+    for (int32_t i = 0; i < count; i++) {
+        digest_bytes(&found[i], sizeof found[i]);
+    }
+}
+
+/* Strokes of constant thickness along a slope, from (x, y) on in whole steps. */
+static void stroke(const iris_image *gray, int32_t x, int32_t y, int32_t dx, int32_t dy)
+{
+    for (int32_t k = 0; k < 120; k++) {
+        int32_t u = x + dx * k / 4, v = y + dy * k / 4;
+        for (int32_t i = 0; i < 49; i++) {
+            int32_t a = u + i % 7 - 3, b = v + i / 7 - 3;
+            if (a >= 0 && b >= 0 && a < W && b < H) {
+                ((uint8_t *)iris_image_row(gray, b))[a] = (uint8_t)(30 + (a + b) / 8);
+            }
+        }
+    }
+}
+
+static void crossing(void)
+{
+    iris_image gray = digest_canvas(IRIS_GRAY8, W, H), mask = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_LINE_MASK_SCRATCH_BYTES(W, H));
+    int32_t found = 0;
+    for (int32_t y = 0; y < H; y++) {
+        for (int32_t x = 0; x < W; x++) {
+            ((uint8_t *)iris_image_row(&gray, y))[x] = (uint8_t)(140 + x / 2);
+        }
+    }
+    stroke(&gray, 60, 40, 1, 4);
+    stroke(&gray, 60, 40, 4, -1);
+    stroke(&gray, 60, 40, -4, 1);
+    digest_number(iris_line_mask(&found, &mask, &gray, NULL, &scratch));
+    digest_number(found);
+    digest_view(&mask);
+    digest_junctions(&mask);
+}
+
+static void anything(void)
+{
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), mask = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_LINE_MASK_SCRATCH_BYTES(W, H));
+    const iris_line_mask_config bright = {1, 200};
+    (void)iris_threshold(&mask, &gray, 140, IRIS_SELECT_BRIGHT);
+    digest_junctions(&mask);
+    digest_number(iris_line_mask(NULL, &mask, &gray, &bright, &scratch));
+    digest_view(&mask);
+    digest_junctions(&mask);
+}
+
+const digest_operation digest_junction[] = {
+    {"junction.crossing", crossing},
+    {"junction.anything", anything},
+    {NULL, NULL},
+};
