@@ -8,7 +8,7 @@ typedef char scratch_as_the_header_says
 void iris_junction_defaults(iris_junction_config *config)
 {
     if (config) {
-        *config = (iris_junction_config){.branch_permil = 1500, .straight = 3277, .corner = 6372};
+        *config = (iris_junction_config){.branch_permil = 1300, .straight = 3277, .corner = 6372};
     }
 }
 
@@ -121,6 +121,10 @@ static void look_at_node(iris_junction_search *search, int32_t node)
     iris_graph_point center = middle_of(g, node);
     int32_t width = 2 * g->forks[node].radius + 1, count = 0;
     int32_t least = search->config->branch_permil * width / 1000;
+    if (g->forks[node].radius < iris_junction_least_radius(g) ||
+        iris_junction_near_side(g, center, width / 2 + 2)) {
+        return;
+    }
     for (int32_t i = 0; i < g->way_count; i++) {
         if (!leaves(g, &g->ways[i], node)) {
             continue;
@@ -163,6 +167,24 @@ static int32_t largest_part(const iris_graph *g)
     return best;
 }
 
+/* Does the part touch a side of the image? */
+static int reaches_side(iris_graph *g, int32_t part)
+{
+    for (int32_t i = 0; i < g->way_count; i++) {
+        const iris_graph_way *way = &g->ways[i];
+        if (way->from < 0 || g->forks[way->from].part != part || way->to >= 0) {
+            continue;
+        }
+        iris_graph_walk(g, way);
+        iris_graph_point tip = g->path[g->path_count - 1], before = g->path[g->path_count * 3 / 4];
+        int32_t radius = iris_graph_radius(g->mask, before.x, before.y);
+        if (iris_junction_near_side(g, tip, 2 * radius + 3)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* Does the line go on behind the arm's tip, after a gap of up to three widths? */
 static int goes_on(const iris_image *mask, const iris_junction_arm *arm, int32_t width)
 {
@@ -197,32 +219,36 @@ static int tip_of(iris_junction_arm *arm, const iris_graph *g, int32_t *width)
     *width = 2 * radius + 1;
     part.path += from;
     part.path_count -= from;
+    *arm = (iris_junction_arm){.exits = iris_junction_near_side(g, g->path[last], 2 * radius + 3)};
     return iris_junction_arm_of(arm, &part, part.path[0], *width);
 }
 
-/* A line without a junction: does it stop in the image? */
-static void look_at_ends(iris_junction_search *search, const iris_graph_way *way)
+/* A line without a junction: does it stop in the image? Returns 0 when it does not leave it, which is no robot's line.
+ * */
+static int look_at_ends(iris_junction_search *search, const iris_graph_way *way)
 {
     iris_junction_arm tips[2];
     int32_t width[2];
     iris_graph *g = search->graph;
     iris_graph_walk(g, way);
-    int known = tip_of(&tips[1], g, &width[1]);
+    int known[2];
+    known[1] = tip_of(&tips[1], g, &width[1]);
     turn_around(g);
-    known = known && tip_of(&tips[0], g, &width[0]);
-    if (!known || (!tips[0].exits && !tips[1].exits)) {
-        return;
+    known[0] = tip_of(&tips[0], g, &width[0]);
+    if (!tips[0].exits && !tips[1].exits) {
+        return 0;
     }
     for (int i = 0; i < 2; i++) {
         iris_junction_arm *tip = &tips[i];
         int too_short = (way->length + width[i]) * 1000 < search->config->branch_permil * width[i];
-        if (tip->exits || tip->thin || too_short || goes_on(g->mask, tip, width[i])) {
+        if (!known[i] || tip->exits || tip->thin || too_short || goes_on(g->mask, tip, width[i])) {
             continue;
         }
         tip->angle = iris_angle_wrap((int32_t)tip->angle + 32768);
         tip->length = way->length;
         iris_junction_add(search, IRIS_JUNCTION_END, tip, 1, tip->tip, width[i]);
     }
+    return 1;
 }
 
 /* Ways between two nodes come twice: the one that starts at the lesser fork counts. */
@@ -236,9 +262,13 @@ static void search_part(iris_junction_search *search, int32_t part)
     iris_graph *g = search->graph;
     if (part < 0) {
         const iris_graph_way *way = &g->ways[-1 - part];
-        look_at_ends(search, way);
-        iris_graph_walk(g, way);
-        iris_junction_corners(search, 0, 0);
+        if (look_at_ends(search, way)) {
+            iris_graph_walk(g, way);
+            iris_junction_corners(search, 0, 0);
+        }
+        return;
+    }
+    if (!reaches_side(g, part)) {
         return;
     }
     for (int32_t i = 0; i < g->fork_count; i++) {
@@ -248,7 +278,8 @@ static void search_part(iris_junction_search *search, int32_t part)
     }
     for (int32_t i = 0; i < g->way_count; i++) {
         const iris_graph_way *way = &g->ways[i];
-        if (way->from >= 0 && g->forks[way->from].part == part && !is_second(way)) {
+        if (way->from >= 0 && g->forks[way->from].part == part && !is_second(way) &&
+            leaves(g, way, g->forks[way->from].node)) {
             iris_graph_walk(g, way);
             iris_junction_corners(search, 1, way->to >= 0);
         }

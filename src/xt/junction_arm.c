@@ -7,11 +7,6 @@ int32_t iris_junction_bend(iris_angle a, iris_angle b)
     return bend < 0 ? -bend : bend;
 }
 
-static int near_side(const iris_graph *g, iris_graph_point p, int32_t margin)
-{
-    return p.x < margin || p.y < margin || p.x >= g->mask->w - margin || p.y >= g->mask->h - margin;
-}
-
 /* The points of the path from `least` up to `most` away from center. */
 static iris_moments gather(const iris_graph *g, iris_graph_point center, int32_t least, int32_t most,
                            int32_t margin)
@@ -19,7 +14,7 @@ static iris_moments gather(const iris_graph *g, iris_graph_point center, int32_t
     iris_moments moments = {0};
     for (int32_t i = 0; i < g->path_count; i++) {
         int32_t away = iris_junction_distance(g->path[i], center);
-        if (away >= least && away <= most && !near_side(g, g->path[i], margin)) {
+        if (away >= least && away <= most && !iris_junction_near_side(g, g->path[i], margin)) {
             iris_moments_add(&moments, g->path[i].x, g->path[i].y);
         } else if (away > most) {
             break;
@@ -39,7 +34,29 @@ static void reach_out(iris_junction_arm *arm, const iris_graph *g)
     }
     arm->length += step;
     arm->tip = (iris_graph_point){(int16_t)x, (int16_t)y};
-    arm->exits |= near_side(g, arm->tip, 1);
+    arm->exits |= iris_junction_near_side(g, arm->tip, 1);
+}
+
+int iris_junction_is_line(const iris_graph *g, const iris_line *line, iris_graph_point center, int32_t width,
+                          int32_t most)
+{
+    int32_t count = 0, away_q4 = 0, widest = 0, narrowest = INT16_MAX;
+    for (int32_t i = 0; i < g->path_count; i++) {
+        iris_graph_point p = g->path[i];
+        int32_t from = iris_junction_distance(p, center);
+        if (from < width || from > most || iris_junction_near_side(g, p, 1 + width / 2)) {
+            continue;
+        }
+        int64_t x_q4 = p.x * 16 - (line->x_q16 >> 12), y_q4 = p.y * 16 - (line->y_q16 >> 12);
+        int64_t across = x_q4 * (line->dy >> 16) - y_q4 * (line->dx >> 16);
+        away_q4 += (int32_t)((across < 0 ? -across : across) >> 14);
+        if (count++ % 4 == 0) {
+            int32_t radius = iris_graph_radius(g->mask, p.x, p.y);
+            widest = radius > widest ? radius : widest;
+            narrowest = radius < narrowest ? radius : narrowest;
+        }
+    }
+    return count == 0 || (away_q4 <= count * (16 + 2 * width) && widest <= 3 * narrowest / 2 + width / 4 + 1);
 }
 
 int iris_junction_arm_of(iris_junction_arm *arm, const iris_graph *g, iris_graph_point center, int32_t width)
@@ -53,7 +70,8 @@ int iris_junction_arm_of(iris_junction_arm *arm, const iris_graph *g, iris_graph
     if (moments.n < 3) {
         moments = gather(g, center, width / 2, most, 0);
     }
-    if (iris_regress_moments(&line, &moments) != IRIS_OK) {
+    if (iris_regress_moments(&line, &moments) != IRIS_OK ||
+        !iris_junction_is_line(g, &line, center, width, most)) {
         return 0;
     }
     arm->x_q4 = (line.x_q16 + 2048) >> 12;
@@ -71,8 +89,8 @@ int iris_junction_arm_of(iris_junction_arm *arm, const iris_graph *g, iris_graph
     iris_graph_point before = g->path[g->path_count > 2 * width ? g->path_count - 2 * width : 0];
     int32_t radius = iris_graph_radius(g->mask, before.x, before.y);
     arm->length = iris_junction_distance(arm->tip, center);
-    arm->exits = near_side(g, arm->tip, 2 * radius + 3);
-    arm->thin = radius < 1 + g->mask->w / 240;
+    arm->exits = iris_junction_near_side(g, arm->tip, 2 * radius + 3);
+    arm->thin = radius < iris_junction_least_radius(g);
     reach_out(arm, g);
     return 1;
 }

@@ -40,7 +40,11 @@ static int side_of(iris_junction_arm *arm, iris_angle *farther, const iris_graph
             iris_moments_add(&moments, g->path[k].x, g->path[k].y);
         }
     }
-    if (moments.n < 3 || iris_regress_moments(&line, &moments) != IRIS_OK) {
+    iris_graph side = *g;
+    side.path = by > 0 ? g->path + i : g->path;
+    side.path_count = by > 0 ? g->path_count - i : i + 1;
+    if (moments.n < 3 || iris_regress_moments(&line, &moments) != IRIS_OK ||
+        !iris_junction_is_line(&side, &line, g->path[i], 3 * width / 2, reach)) {
         return 0;
     }
     *arm = (iris_junction_arm){.x_q4 = (line.x_q16 + 2048) >> 12, .y_q4 = (line.y_q16 + 2048) >> 12};
@@ -50,7 +54,7 @@ static int side_of(iris_junction_arm *arm, iris_angle *farther, const iris_graph
                     (int64_t)(arm->y_q4 - g->path[i].y * 16) * arm->dy_q14;
     arm->angle = iris_angle_wrap((int32_t)line.angle + (along < 0 ? 32768 : 0));
     arm->tip = g->path[by > 0 ? g->path_count - 1 : 0];
-    arm->length = iris_junction_distance(arm->tip, g->path[i]) + width / 2;
+    arm->length = iris_junction_distance(arm->tip, g->path[i]) + width;
     int32_t near = far_point(g, i, by, reach), far = far_point(g, i, by, reach + 3 * width / 2);
     *farther = far >= 0 ? direction(g->path[near], g->path[far]) : arm->angle;
     return 1;
@@ -75,14 +79,35 @@ static int try_corner(iris_junction_search *search, int32_t i, int32_t width)
     return 1;
 }
 
+/* Does a side of the image cut the line here? */
+static int is_cut(const iris_graph *g, iris_graph_point p)
+{
+    return iris_junction_near_side(g, p, 1 + iris_graph_radius(g->mask, p.x, p.y));
+}
+
+/* Where the image cuts a line off slantwise, the middle of what is left bends: without these points. */
+static void trim(iris_graph *g)
+{
+    while (g->path_count > 0 && is_cut(g, g->path[g->path_count - 1])) {
+        g->path_count--;
+    }
+    while (g->path_count > 0 && is_cut(g, g->path[0])) {
+        g->path++;
+        g->path_count--;
+    }
+}
+
 void iris_junction_corners(iris_junction_search *search, int from_node, int to_node)
 {
-    const iris_graph *g = search->graph;
+    iris_graph *g = search->graph;
+    iris_graph_point *path = g->path;
+    trim(g);
     for (int32_t i = 0; i < g->path_count;) {
         int32_t radius = iris_graph_radius(g->mask, g->path[i].x, g->path[i].y), width = 2 * radius + 1;
         int32_t margin = 2 * width, away = width > 5 ? width : 5, best = -1, most = 0, k = i;
         for (; k < g->path_count && (k < i + 2 * width || (best >= 0 && k <= best + 2 * away)); k++) {
-            int32_t bend = (from_node && k < margin) || (to_node && g->path_count - 1 - k < margin)
+            int32_t bend = (from_node && k < margin) || (to_node && g->path_count - 1 - k < margin) ||
+                                   iris_junction_near_side(g, g->path[k], width)
                                ? -1
                                : bend_at(g, k, away);
             if (bend > most) {
@@ -98,4 +123,5 @@ void iris_junction_corners(iris_junction_search *search, int from_node, int to_n
         }
         i = k;
     }
+    g->path = path;
 }

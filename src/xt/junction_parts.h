@@ -41,6 +41,22 @@ int32_t iris_junction_bend(iris_angle a, iris_angle b);
 void iris_junction_add(iris_junction_search *search, iris_junction_type type, const iris_junction_arm *arms,
                        int32_t count, iris_graph_point center, int32_t width);
 
+/* Is a point less than `margin` from a side of the image? */
+static inline int iris_junction_near_side(const iris_graph *g, iris_graph_point p, int32_t margin)
+{
+    return p.x < margin || p.y < margin || p.x >= g->mask->w - margin || p.y >= g->mask->h - margin;
+}
+
+/* Do the path's points from `width` up to `most` away from center keep to the line, and is it of one width there? */
+int iris_junction_is_line(const iris_graph *g, const iris_line *line, iris_graph_point center, int32_t width,
+                          int32_t most);
+
+/* Of a line: thinner ones are noise, or so far away that they fade. */
+static inline int32_t iris_junction_least_radius(const iris_graph *g)
+{
+    return 1 + g->mask->w / 240;
+}
+
 /* junction_corner.c: corners of the path, which leads from one node or end to another. */
 void iris_junction_corners(iris_junction_search *search, int from_node, int to_node);
 

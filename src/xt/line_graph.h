@@ -1,5 +1,6 @@
-/* A mask of lines as a graph: its skeleton without spurs, the nodes where lines meet, and the ways that lead from a node
- * or an end to the next. Distances are pixels; a radius is that of the largest disc around a point inside of the mask.
+/* A mask of lines as a graph: its skeleton without spurs, the nodes where lines meet, and the ways that lead from a
+ * node or an end to the next. Distances are pixels; a radius is that of the largest disc around a point inside of the
+ * mask.
  */
 #ifndef IRIS_XT_LINE_GRAPH_H
 #define IRIS_XT_LINE_GRAPH_H
@@ -7,7 +8,7 @@
 #include "skeleton_parts.h"
 
 #define IRIS_GRAPH_FORKS 96  /* branch points that are kept, those nearest to the bottom */
-#define IRIS_GRAPH_WAYS  224 /* ways that are kept */
+#define IRIS_GRAPH_WAYS 160 /* ways that are kept */
 
 typedef struct {
     int16_t x, y;

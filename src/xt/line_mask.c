@@ -5,15 +5,17 @@
 #include "../foundation/views.h"
 
 enum {
-    REACH = 3,   /* blocks to each side that the closing looks at */
-    MARGIN = 16, /* gray levels */
-    ONE = 1024   /* contrast 1 */
+    REACH = 3,                      /* blocks to each side that the closing looks at */
+    BEYOND = IRIS_LINE_MASK_BEYOND, /* blocks beyond the picture from which it looks into it */
+    MARGIN = 16,                    /* gray levels */
+    ONE = 1024                      /* contrast 1 */
 };
 
 /* What the rows are compared with. Levels of the floor have 4 fraction bits. */
 typedef struct {
     const iris_image *gray;
     int32_t bright, least_q10;   /* of contrast */
+    int32_t margin_q4;           /* gray levels that a line differs by at least */
     int32_t block, across, down; /* side of a block, and blocks */
     uint16_t *floor, *other,
         *row;       /* of the blocks, another plane of them, and the floor between two rows of them */
@@ -41,19 +43,52 @@ static int32_t block_mean_q4(const plan *p, int32_t column, int32_t row)
     return (int32_t)((sum / count) * 16 + (sum % count) * 16 / count);
 }
 
-/* The largest, or the smallest, of the blocks within reach along one side, from one plane to the other. */
-static void spread(const plan *p, uint16_t *to, const uint16_t *from, int along_x, int largest)
+/* A row or a column of blocks. */
+typedef struct {
+    uint16_t *at;
+    int32_t step, count;
+} line_of_blocks;
+
+/* The largest, or the smallest, of those within reach. `shift`: number in `from` of the place of the first in `to`. */
+static void spread(line_of_blocks to, line_of_blocks from, int32_t shift, int largest)
 {
-    int32_t step = along_x ? 1 : p->across, last = along_x ? p->across - 1 : p->down - 1;
-    for (int32_t i = 0; i < p->across * p->down; i++) {
-        int32_t at = along_x ? i % p->across : i / p->across;
-        int32_t low = at < REACH ? -at : -REACH, high = last - at < REACH ? last - at : REACH;
-        uint16_t best = from[i];
-        for (int32_t k = low; k <= high; k++) {
-            uint16_t level = from[i + k * step];
+    for (int32_t i = 0; i < to.count; i++) {
+        int32_t low = i + shift - REACH, high = i + shift + REACH;
+        low = low < 0 ? 0 : low;
+        high = high < from.count ? high : from.count - 1;
+        uint16_t best = from.at[low * from.step];
+        for (int32_t k = low + 1; k <= high; k++) {
+            uint16_t level = from.at[k * from.step];
             best = (level > best) == largest ? level : best;
         }
-        to[i] = best;
+        to.at[i * to.step] = best;
+    }
+}
+
+/* Dilation: it may lie partly outside, so that towards the sides the light may go on falling off. */
+static void grow(const plan *p, int largest)
+{
+    int32_t wide = p->across + 2 * BEYOND;
+    for (int32_t y = 0; y < p->down; y++) {
+        spread((line_of_blocks){p->other + y * wide, 1, wide},
+               (line_of_blocks){p->floor + y * p->across, 1, p->across}, -BEYOND, largest);
+    }
+    for (int32_t x = 0; x < wide; x++) {
+        spread((line_of_blocks){p->floor + x, wide, p->down + 2 * BEYOND},
+               (line_of_blocks){p->other + x, wide, p->down}, -BEYOND, largest);
+    }
+}
+
+static void shrink(const plan *p, int largest)
+{
+    int32_t wide = p->across + 2 * BEYOND, high = p->down + 2 * BEYOND;
+    for (int32_t y = 0; y < high; y++) {
+        spread((line_of_blocks){p->other + y * p->across, 1, p->across},
+               (line_of_blocks){p->floor + y * wide, 1, wide}, BEYOND, largest);
+    }
+    for (int32_t x = 0; x < p->across; x++) {
+        spread((line_of_blocks){p->floor + x, p->across, p->down},
+               (line_of_blocks){p->other + x, p->across, high}, BEYOND, largest);
     }
 }
 
@@ -65,11 +100,8 @@ static void find_floor(const plan *p)
             p->floor[row * p->across + column] = (uint16_t)block_mean_q4(p, column, row);
         }
     }
-    for (int step = 0; step < 2; step++) {
-        int largest = step == p->bright;
-        spread(p, p->other, p->floor, 1, largest);
-        spread(p, p->floor, p->other, 0, largest);
-    }
+    grow(p, !p->bright);
+    shrink(p, p->bright);
 }
 
 /* The floor along row y, at the middle of each column of blocks. */
@@ -101,7 +133,8 @@ static stretch stretch_of(const plan *p, int32_t i)
     return s;
 }
 
-/* How far from a floor of this level (4 fraction bits) pixels of a contrast are, at least the margin; 4 fraction bits. */
+/* How far from a floor of this level (4 fraction bits) pixels of a contrast are, at least the margin; 4 fraction bits.
+ * */
 static int32_t depth_q4(const plan *p, int32_t floor_q4, int32_t contrast_q10)
 {
     int32_t depth = floor_q4 * contrast_q10 / ONE;
@@ -110,7 +143,7 @@ static int32_t depth_q4(const plan *p, int32_t floor_q4, int32_t contrast_q10)
         int32_t left = (255 * 16 - floor_q4) * contrast_q10 / ONE;
         depth = up < left ? up : left;
     }
-    return depth > MARGIN * 16 ? depth : MARGIN * 16;
+    return depth > p->margin_q4 ? depth : p->margin_q4;
 }
 
 static int32_t contrast_q10(const plan *p, int32_t floor_q4, int32_t level_q4)
@@ -140,6 +173,21 @@ static void sum_columns(const plan *p, int32_t y)
 static inline int32_t nine(const plan *p, int32_t x)
 {
     return p->sums[x] + p->sums[x + 1] + p->sums[x + 2];
+}
+
+/* Four times the noise of smoothed pixels, as neighbors tell it: they differ by 9 / 8 of its deviation in the mean, and
+ * smoothing leaves a third. */
+static int32_t noise_margin_q4(const iris_image *gray)
+{
+    uint32_t sum = 0, count = 0;
+    for (int32_t y = 0; y < gray->h; y += 4) {
+        const uint8_t *row = iris_image_row(gray, y);
+        for (int32_t x = 1; x < gray->w; x += 4, count++) {
+            sum += (uint32_t)(row[x] > row[x - 1] ? row[x] - row[x - 1] : row[x - 1] - row[x]);
+        }
+    }
+    int32_t margin_q4 = count > 0 ? (int32_t)(sum / count * 19 + sum % count * 19 / count) : 0;
+    return margin_q4 > MARGIN * 16 ? margin_q4 : MARGIN * 16;
 }
 
 /* The mean contrast of the pixels that have the least contrast, of every eighth pixel; 0 when they are too few. */
@@ -225,9 +273,10 @@ iris_status iris_line_mask(int32_t *found, const iris_image *mask, const iris_im
     p.across = (int32_t)IRIS_LINE_MASK_BLOCKS(gray->w, block);
     p.down = (int32_t)IRIS_LINE_MASK_BLOCKS(gray->h, block);
     p.floor = memory;
-    p.other = p.floor + p.across * p.down;
-    p.row = p.other + p.across * p.down;
+    p.other = p.floor + (p.across + 2 * BEYOND) * (p.down + 2 * BEYOND);
+    p.row = p.other + (p.across + 2 * BEYOND) * (p.down + 2 * BEYOND);
     p.sums = p.row + p.across;
+    p.margin_q4 = noise_margin_q4(gray);
     find_floor(&p);
     int32_t contrast = line_contrast(&p);
     mark(&p, mask, contrast / 2);

@@ -4,8 +4,8 @@
 #include "iris/xt/line_mask.h"
 #include "iris/xt/threshold.h"
 
-#define W 131
-#define H 90
+#define W 48
+#define H 40
 
 static void digest_junctions(const iris_image *mask)
 {
@@ -24,8 +24,8 @@ static void stroke(const iris_image *gray, int32_t x, int32_t y, int32_t dx, int
 {
     for (int32_t k = 0; k < 120; k++) {
         int32_t u = x + dx * k / 4, v = y + dy * k / 4;
-        for (int32_t i = 0; i < 49; i++) {
-            int32_t a = u + i % 7 - 3, b = v + i / 7 - 3;
+        for (int32_t i = 0; i < 25; i++) {
+            int32_t a = u + i % 5 - 2, b = v + i / 5 - 2;
             if (a >= 0 && b >= 0 && a < W && b < H) {
                 ((uint8_t *)iris_image_row(gray, b))[a] = (uint8_t)(30 + (a + b) / 8);
             }
@@ -43,9 +43,9 @@ static void crossing(void)
             ((uint8_t *)iris_image_row(&gray, y))[x] = (uint8_t)(140 + x / 2);
         }
     }
-    stroke(&gray, 60, 40, 1, 4);
-    stroke(&gray, 60, 40, 4, -1);
-    stroke(&gray, 60, 40, -4, 1);
+    stroke(&gray, 24, 18, 1, 4);
+    stroke(&gray, 24, 18, 4, -1);
+    stroke(&gray, 24, 18, -4, 1);
     digest_number(iris_line_mask(&found, &mask, &gray, NULL, &scratch));
     digest_number(found);
     digest_view(&mask);
@@ -61,7 +61,6 @@ static void anything(void)
     digest_junctions(&mask);
     digest_number(iris_line_mask(NULL, &mask, &gray, &bright, &scratch));
     digest_view(&mask);
-    digest_junctions(&mask);
 }
 
 const digest_operation digest_junction[] = {

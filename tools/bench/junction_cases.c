@@ -12,7 +12,8 @@ static iris_status junctions(void)
 {
     iris_junction found[IRIS_JUNCTIONS_MAX];
     int32_t count;
-    return iris_junctions_find(found, IRIS_JUNCTIONS_MAX, &count, &bench_frame.mask, NULL, &bench_frame.scratch);
+    return iris_junctions_find(found, IRIS_JUNCTIONS_MAX, &count, &bench_frame.mask, NULL,
+                               &bench_frame.scratch);
 }
 
 /* A bar across the frame, a tenth of its height. */

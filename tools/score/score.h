@@ -46,6 +46,7 @@ void score_blobs(score *s);
 void score_circles(score *s);
 void score_floor(score *s);
 void score_lines(score *s);
+void score_junctions(score *s);
 void score_cost(score *s);
 
 #endif

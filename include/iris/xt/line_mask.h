@@ -1,13 +1,13 @@
 /* IRIS-XT - line masks: which pixels are line, and which are floor?
  *
  * From IRIS_GRAY8 to IRIS_MASK1 of the same size, for everything that looks at the shape of lines on a floor: junctions
- * (junction.h), several lines (paths.h), skeletons. The light may be uneven, lines may lie in any direction and cross the
- * whole picture, and how dark they are need not be known.
+ * (junction.h), several lines (paths.h), skeletons. The light may be uneven, lines may lie in any direction and cross
+ * the whole picture, and how dark they are need not be known.
  *
  * How: the floor is the mean of each block of pixels (a fifteenth of the shorter side), with dark valleys narrower than
- * seven blocks filled (closing), and drawn straight between the blocks. Pixels that differ from the floor by the least
- * contrast tell how dark the line is, and half of that is the threshold. Pixels are smoothed over 3x3. Report, section
- * 2.4 ("tolerance").
+ * seven blocks filled (closing; at the sides of the picture narrower than two, so that the light may fall off), and
+ * drawn straight between the blocks. Pixels that differ from the floor by the least contrast tell how dark the line
+ * is, and half of that is the threshold. Pixels are smoothed over 3x3. Report, section 2.4 ("tolerance").
  */
 #ifndef IRIS_XT_LINE_MASK_H
 #define IRIS_XT_LINE_MASK_H
@@ -21,7 +21,8 @@ extern "C" {
 #endif
 
 /* Contrast: of a dark line (floor - line) / floor; of a bright one (line - floor) / line, or (line - floor) / (white -
- * floor) where that is more. Towards the sides the floor is the brightest within three blocks. In gray levels it is 16 or more, however dark the picture. */
+ * floor) where that is more.  In gray levels it is 16 or more, however dark the picture, and more where
+ * neighboring pixels differ by noise. */
 typedef struct {
     int32_t bright;          /* 1: lines brighter than the floor; default 0: darker */
     int32_t contrast_permil; /* 100..900: of a line, at least; default 300 */
@@ -32,11 +33,16 @@ typedef struct {
     (((w) < (h) ? (size_t)(w) : (size_t)(h)) < 60 ? (size_t)4 : ((w) < (h) ? (size_t)(w) : (size_t)(h)) / 15)
 #define IRIS_LINE_MASK_BLOCKS(side, block) (((size_t)(side) + (block)-1) / (block))
 
-/* Working memory: 1.6 KB for 160x120. */
+/* Blocks beyond each side from where a dark valley may be filled. */
+#define IRIS_LINE_MASK_BEYOND 2
+
+/* Working memory: 2.2 KB for 160x120. */
+#define IRIS_LINE_MASK_PLANE(across, down)                                                                   \
+    (((across) + 2 * IRIS_LINE_MASK_BEYOND) * ((down) + 2 * IRIS_LINE_MASK_BEYOND))
 #define IRIS_LINE_MASK_SCRATCH_BYTES(w, h)                                                                   \
-    IRIS_SCRATCH_ROUND((IRIS_LINE_MASK_BLOCKS(w, IRIS_LINE_MASK_BLOCK(w, h)) *                               \
-                            (2 * IRIS_LINE_MASK_BLOCKS(h, IRIS_LINE_MASK_BLOCK(w, h)) + 1) +                 \
-                        (size_t)(w) + 2) *                                                                   \
+    IRIS_SCRATCH_ROUND((2 * IRIS_LINE_MASK_PLANE(IRIS_LINE_MASK_BLOCKS(w, IRIS_LINE_MASK_BLOCK(w, h)),       \
+                                                 IRIS_LINE_MASK_BLOCKS(h, IRIS_LINE_MASK_BLOCK(w, h))) +     \
+                        IRIS_LINE_MASK_BLOCKS(w, IRIS_LINE_MASK_BLOCK(w, h)) + (size_t)(w) + 2) *            \
                        2)
 
 /* Sensible values, as given above. Null is ignored. */
