@@ -1,5 +1,7 @@
 #include "iris/xt/hough.h"
 
+#include <string.h>
+
 #include "hough_parts.h"
 #include "mask_runs.h"
 
@@ -79,9 +81,7 @@ static void clear(iris_hough *hough)
         if (reach > -origin || (reach - origin) >> hough->shift >= hough->rho_bins) {
             hough->room = 0;
         }
-        for (int32_t rho = 0; rho < hough->rho_bins; rho++) {
-            row[rho] = 0;
-        }
+        memset(row, 0, (size_t)hough->rho_bins * sizeof *row);
     }
 }
 
@@ -143,23 +143,37 @@ static void vote_bounded(const iris_hough *hough, const batch *of, int32_t theta
     }
 }
 
+/* Two theta bins for which points vote together: where a row of points begins, and its step per doubled x. */
+typedef struct {
+    uint16_t *votes[2];
+    int32_t first[2], step[2];
+} twins;
+
 /* Two numbers in one, so that one multiplication and one addition serve both. Sums of them that are not negative come
  * out as they went in. */
-static inline int64_t pair(int32_t high, int32_t low)
+static inline int64_t pair(const int32_t of[2])
 {
-    return (int64_t)high * ((int64_t)1 << 32) + low;
+    return (int64_t)of[1] * ((int64_t)1 << 32) + of[0];
 }
 
-/* n points of a row vote in two theta bins that have `bins` bins of rho each. */
-static inline void vote_twice(uint16_t *votes, int32_t bins, const int16_t *x, int32_t n, const int64_t by[2],
-                              int shift)
+/* n points of a row vote in both: at once where registers are that wide. */
+static inline void vote_twice(const twins *in, const int16_t *x, int32_t n, int shift)
 {
-    uint16_t *const second = votes + bins;
-    const int64_t first = by[0], cosines = by[1];
-    for (int32_t i = 0; i < n; i++) {
-        uint64_t rhos = (uint64_t)(first + x[i] * cosines);
-        votes[(uint32_t)rhos >> shift]++;
-        second[rhos >> 32 >> shift]++;
+    uint16_t *const a = in->votes[0], *const b = in->votes[1];
+    if (sizeof(size_t) > sizeof(int32_t)) {
+        const int64_t first = pair(in->first), step = pair(in->step);
+        for (int32_t i = 0; i < n; i++) {
+            uint64_t rhos = (uint64_t)(first + x[i] * step);
+            a[(uint32_t)rhos >> shift]++;
+            b[rhos >> 32 >> shift]++;
+        }
+    } else {
+        const int32_t a_first = in->first[0], a_step = in->step[0];
+        const int32_t b_first = in->first[1], b_step = in->step[1];
+        for (int32_t i = 0; i < n; i++) {
+            a[(uint32_t)(a_first + x[i] * a_step) >> shift]++;
+            b[(uint32_t)(b_first + x[i] * b_step) >> shift]++;
+        }
     }
 }
 
@@ -172,14 +186,15 @@ static int32_t vote_freely(const iris_hough *hough, const batch *of)
     for (; theta + 1 < hough->config.theta_bins; theta += 2) {
         uint16_t *votes = hough->votes + (size_t)theta * (size_t)bins;
         const int16_t *sines = hough->sines + 2 * theta;
-        int64_t by[2] = {0, pair(sines[2], sines[0])};
+        twins both = {{votes, votes + bins}, {0, 0}, {sines[0], sines[2]}};
         for (int32_t row = 0, i = 0; row < of->rows; row++) {
             int32_t y = of->y[row], n = of->end[row] - i;
-            by[0] = pair(y * sines[3] - origin, y * sines[1] - origin);
+            both.first[0] = y * sines[1] - origin;
+            both.first[1] = y * sines[3] - origin;
             if (hough->shift == 15) { /* the compiler knows it then */
-                vote_twice(votes, bins, of->x + i, n, by, 15);
+                vote_twice(&both, of->x + i, n, 15);
             } else {
-                vote_twice(votes, bins, of->x + i, n, by, hough->shift);
+                vote_twice(&both, of->x + i, n, hough->shift);
             }
             i += n;
         }

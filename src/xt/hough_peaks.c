@@ -30,7 +30,8 @@ static int is_peak(const iris_hough *hough, int32_t theta, int32_t rho)
     if (reach > (hough->config.theta_bins - 1) / 2 && hough->span == hough_turn(hough)) {
         reach = (hough->config.theta_bins - 1) / 2; /* each angle once */
     }
-    for (int32_t t = -reach; t <= reach; t++) {
+    for (int32_t k = 0; k <= 2 * reach; k++) {
+        int32_t t = k % 2 ? k / 2 + 1 : -k / 2; /* nearest first: there most bins find their better */
         for (int32_t r = -far; r <= far; r++) {
             int32_t there = bin_index(hough, theta + t, rho + r);
             if (there >= 0 && (hough->votes[there] > hough->votes[here] ||
