@@ -105,7 +105,7 @@ static int32_t gap(const iris_rect *a, const iris_rect *b)
     return greater(0, greater(x, y));
 }
 
-/* The nearest blob that is not in the thing yet and fits; -1: none. */
+/* The nearest blob that is not in the thing yet, fits, and is no scrap; -1: none. */
 static int32_t nearest(const iris_lock_view *view, const iris_lock_thing *thing, uint32_t taken,
                        iris_size most)
 {
@@ -114,7 +114,8 @@ static int32_t nearest(const iris_lock_view *view, const iris_lock_thing *thing,
         const iris_rect *box = &view->blobs[i].box;
         iris_rect all = around(&thing->box, box);
         int32_t apart = gap(&thing->box, box);
-        if (!(taken >> i & 1) && apart < best_gap && all.w <= most.w && all.h <= most.h) {
+        int is_scrap = view->blobs[i].area * INT64_C(12) < thing->area;
+        if (!(taken >> i & 1) && !is_scrap && apart < best_gap && all.w <= most.w && all.h <= most.h) {
             best = i;
             best_gap = apart;
         }

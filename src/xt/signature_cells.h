@@ -65,10 +65,10 @@ typedef struct {
     const iris_signature_lesson *near; /* an earlier lesson, or null */
 } iris_signature_scene;
 
-/* As iris_signature_teach, but not far from an earlier lesson (when there is one): hue within 10 degrees of its range,
+/* As iris_signature_teach, but not far from an earlier lesson (when there is one): hue within 20 degrees of its range,
  * lightness from half to one and a half times of it, no cells outside of the range; and not at all when less than half of the
- * object stands out, or it has turned gray, or from gray to colored:
- * IRIS_ERR_DATA then, and nothing has changed. */
+ * object stands out, when it has turned gray, or from gray to colored, or when much more of what is around it would
+ * have the signature than in the earlier lesson: IRIS_ERR_DATA then, and nothing has changed. */
 iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
                                  const iris_signature_scene *scene, iris_scratch *scratch);
 

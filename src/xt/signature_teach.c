@@ -261,6 +261,21 @@ static void write_cells(iris_signatures *signatures, uint32_t bit, const pupil *
     }
 }
 
+/* The signature as it was, a bit for each cell; taken back when `restore`. */
+static void keep_cells(uint8_t *kept, iris_signatures *signatures, uint32_t bit, int restore)
+{
+    for (int32_t cell = 0; cell < IRIS_SIGNATURE_CELLS; cell++) {
+        const uint32_t at = 1u << cell % 8;
+        if (!restore) {
+            uint32_t has = (signatures->cells[cell] & bit) != 0 ? at : 0;
+            kept[cell / 8] = (uint8_t)((kept[cell / 8] & ~at) | has);
+        } else {
+            uint32_t had = (kept[cell / 8] & at) != 0 ? bit : 0;
+            signatures->cells[cell] = (uint8_t)((signatures->cells[cell] & ~bit) | had);
+        }
+    }
+}
+
 static void count_those_that_have(pupil *job, kind k, int32_t cell, const uint8_t *rgb)
 {
     (void)rgb;
@@ -272,7 +287,16 @@ static int32_t permil(int32_t part, int32_t all)
     return all > 0 ? (int32_t)(((int64_t)part * 1000 + all / 2) / all) : 0;
 }
 
-/* Bounds of hue are brought to 10 degrees around those of the earlier lesson. */
+/* How well the cells tell the object. */
+static void measure(iris_signature_lesson *result, pupil *job)
+{
+    walk(job, count_those_that_have, &(iris_rect){0, 0, job->image->w, job->image->h});
+    result->share_permil = permil(job->has[OBJECT], job->count[OBJECT]);
+    result->elsewhere_permil =
+        permil(job->has[RING] + job->has[BEYOND], job->count[RING] + job->count[BEYOND]);
+}
+
+/* Bounds of hue are brought to 20 degrees around those of the earlier lesson. */
 static void keep_hue(iris_hsl_range *range, const iris_hsl_range *earlier)
 {
     int32_t base = earlier->h0 + 350, width = (earlier->h1 - earlier->h0 + 360) % 360 + 20;
@@ -295,7 +319,8 @@ static int keep_near(iris_signature_lesson *result, const pupil *job, const iris
     if (!is_gray) {
         keep_hue(range, was);
     }
-    range->s0 = limited(range->s0, was->s0 / 2, was->s1);
+    range->s0 = limited(range->s0, was->s0 * 3 / 4, was->s1);
+    result->chroma0 = limited(result->chroma0, earlier->chroma0 / 2, CHROMA_BINS);
     range->l0 = limited(range->l0, was->l0 / 2, was->l1);
     range->l1 = limited(range->l1, range->l0, limited(was->l1 * 3 / 2, 0, 100));
     return 1;
@@ -338,7 +363,8 @@ iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures 
     size_t start = iris_scratch_mark(scratch);
     job.evidence = (int16_t *)iris_scratch_take(scratch, sizeof *job.evidence * IRIS_SIGNATURE_CELLS);
     job.is = (tally *)iris_scratch_take(scratch, sizeof *job.is);
-    if (!job.evidence || !job.is) {
+    uint8_t *kept = (uint8_t *)iris_scratch_take(scratch, IRIS_SIGNATURE_CELLS / 8 + 1);
+    if (!job.evidence || !job.is || !kept) {
         iris_scratch_release(scratch, start);
         return IRIS_ERR_SCRATCH;
     }
@@ -346,19 +372,21 @@ iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures 
     job.outer = grown(job.inner, rect.w / 2 + 3, rect.h / 2 + 3);
     job.bit = 1u << which;
     look_at(&result, &job);
-    if (scene->near && !keep_near(&result, &job, scene->near)) {
-        iris_scratch_release(scratch, start);
-        return IRIS_ERR_DATA;
+    iris_status status = scene->near && !keep_near(&result, &job, scene->near) ? IRIS_ERR_DATA : IRIS_OK;
+    if (status == IRIS_OK) {
+        keep_cells(kept, signatures, job.bit, 0);
+        write_cells(signatures, job.bit, &job, &result, scene->near != NULL);
+        measure(&result, &job);
+        if (scene->near && result.elsewhere_permil > 2 * scene->near->elsewhere_permil + 2) {
+            keep_cells(kept, signatures, job.bit, 1);
+            status = IRIS_ERR_DATA;
+        }
     }
-    write_cells(signatures, job.bit, &job, &result, scene->near != NULL);
-    walk(&job, count_those_that_have, &(iris_rect){0, 0, scene->image->w, scene->image->h});
-    result.share_permil = permil(job.has[OBJECT], job.count[OBJECT]);
-    result.elsewhere_permil = permil(job.has[RING] + job.has[BEYOND], job.count[RING] + job.count[BEYOND]);
-    if (lesson) {
+    if (status == IRIS_OK && lesson) {
         *lesson = result;
     }
     iris_scratch_release(scratch, start);
-    return IRIS_OK;
+    return status;
 }
 
 iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,

@@ -182,30 +182,47 @@ static color light_of(const scene *s, int frame)
     return (color){gain * (1 + warm), gain, gain * (1 - warm)};
 }
 
-static color pixel_of(const scene *s, int frame, int x, int y)
+#define EXPOSURES 6 /* of a frame in which the ball is smeared */
+
+/* Where everything is in a frame. */
+typedef struct {
+    const scene *s;
+    int exposures;
+    double ball[EXPOSURES][3], other[3], post[2];
+} moment;
+
+static moment moment_of(const scene *s, int frame)
 {
-    color c = room[y][x];
-    double at[3] = {0, 0, s->r}, post[2];
-    if (s->kind == SCENE_DISTRACTOR) {
-        other_at(&at[0], &at[1], s, frame);
-        c = with_ball(c, s->other, at, x, y);
+    moment m = {.s = s, .exposures = s->kind == SCENE_BLURRED ? EXPOSURES : 1};
+    for (int i = 0; i < m.exposures; i++) {
+        double since = m.exposures > 1 ? (i + 0.5) / EXPOSURES * 0.6 - 0.3 : 0;
+        ball_at(&m.ball[i][0], &m.ball[i][1], s, frame + since);
+        m.ball[i][2] = s->r;
     }
-    int exposures = s->kind == SCENE_BLURRED ? 6 : 1;
-    color sum = {0, 0, 0};
-    for (int i = 0; i < exposures; i++) {
-        ball_at(&at[0], &at[1], s, frame + (i + 0.5) / exposures * 0.6 - 0.3 * (exposures > 1));
-        if (exposures == 1) {
-            ball_at(&at[0], &at[1], s, frame);
-        }
+    other_at(&m.other[0], &m.other[1], s, frame);
+    m.other[2] = s->r;
+    post_of(&m.post[0], &m.post[1], s);
+    return m;
+}
+
+static color pixel_of(const moment *m, int x, int y)
+{
+    const scene *s = m->s;
+    color c = room[y][x], sum = {0, 0, 0};
+    if (s->kind == SCENE_HIDDEN && x >= m->post[0] && x <= m->post[1]) {
+        return room[(y + 30) % SCENE_H][(x + 60) % SCENE_W];
+    }
+    if (s->kind == SCENE_DISTRACTOR) {
+        c = with_ball(c, s->other, m->other, x, y);
+    }
+    for (int i = 0; i < m->exposures; i++) {
+        const double *at = m->ball[i];
         color one = with_ball(c, s->ball, at, x, y);
         if (s->kind == SCENE_SHADED && y > at[1] + 0.15 * s->r) {
             one = mixed(one, (color){0, 0, 0}, hypot(x - at[0], y - at[1]) <= s->r ? 0.7 : 0);
         }
-        sum = (color){sum.r + one.r / exposures, sum.g + one.g / exposures, sum.b + one.b / exposures};
-    }
-    post_of(&post[0], &post[1], s);
-    if (s->kind == SCENE_HIDDEN && x >= post[0] && x <= post[1]) {
-        sum = room[(y + 30) % SCENE_H][(x + 60) % SCENE_W];
+        sum =
+            (color){sum.r + one.r / m->exposures, sum.g + one.g / m->exposures, sum.b + one.b / m->exposures};
     }
     return sum;
 }
@@ -233,6 +250,7 @@ scene_truth scene_frame(const iris_image *image, scene_kind kind, unsigned seed,
 {
     const scene s = scene_of(kind, seed);
     const color light = light_of(&s, frame);
+    const moment now = moment_of(&s, frame);
     scene_truth truth = {0, 0, s.r, 0};
     ball_at(&truth.x, &truth.y, &s, frame);
     make_room(&s);
@@ -240,7 +258,7 @@ scene_truth scene_frame(const iris_image *image, scene_kind kind, unsigned seed,
     for (int y = 0; y < SCENE_H; y++) {
         uint8_t *row = iris_image_row(image, y);
         for (int x = 0; x < SCENE_W; x++) {
-            color c = pixel_of(&s, frame, x, y);
+            color c = pixel_of(&now, x, y);
             double noise[3];
             for (int i = 0; i < 3; i++) {
                 noise[i] = 14 * (random_at(seed + 1000u * (unsigned)frame, x, 3 * y + i) - 0.5);

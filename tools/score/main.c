@@ -53,6 +53,7 @@ int main(int argc, char **argv)
     score_floor(&s);
     score_lines(&s);
     score_junctions(&s);
+    score_lock(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;

@@ -47,6 +47,7 @@ void score_circles(score *s);
 void score_floor(score *s);
 void score_lines(score *s);
 void score_junctions(score *s);
+void score_lock(score *s);
 void score_cost(score *s);
 
 #endif

@@ -88,7 +88,7 @@ typedef struct {
 
 /* Working memory. IRIS_LOCK_LOOK_BYTES: a mask of the frame, a row of it in RGB, and the blobs; enough for iris_lock_frame
  * with a signature that was not taught, or without `adapt`. IRIS_LOCK_SCRATCH_BYTES: the same memory serves for learning;
- * for iris_lock_teach, and for every iris_lock_frame after it. 160x120: 19 KB. */
+ * for iris_lock_teach, and for every iris_lock_frame after it. 160x120: 15 KB. */
 #define IRIS_LOCK_THING_BYTES      48u
 #define IRIS_LOCK_MASK_BYTES(w, h) IRIS_SCRATCH_ROUND(((size_t)(w) + 31u) / 32u * 4u * (size_t)(h))
 #define IRIS_LOCK_LOOK_BYTES(w, h)                                                                           \

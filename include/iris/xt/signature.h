@@ -36,7 +36,7 @@ typedef struct {
     int32_t chroma0, chroma1;
     iris_color color; /* mean of the object's pixels */
     int32_t
-        share_permil; /* of the object's pixels, that have the signature; low: it looks like what is around it */
+        share_permil; /* of the object's pixels, that have the signature; low: it looks like its surroundings */
     int32_t elsewhere_permil; /* of the pixels around, that have it all the same */
 } iris_signature_lesson;
 
@@ -63,7 +63,8 @@ iris_status iris_signature_from_range(iris_signatures *signatures, int32_t which
  * IRIS_ERR_ARG: null pointer or invalid image; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: which, or rect is empty or not wholly
  * inside; IRIS_ERR_SCRATCH: IRIS_SIGNATURE_SCRATCH_BYTES. O(w h + cells). */
 #define IRIS_SIGNATURE_SCRATCH_BYTES                                                                         \
-    (IRIS_SCRATCH_ROUND(2 * IRIS_SIGNATURE_CELLS) + IRIS_SCRATCH_ROUND(4 * 542))
+    (IRIS_SCRATCH_ROUND(2 * IRIS_SIGNATURE_CELLS) + IRIS_SCRATCH_ROUND(4 * 542) +                            \
+     IRIS_SCRATCH_ROUND(IRIS_SIGNATURE_CELLS / 8 + 1))
 iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
                                  const iris_image *image, iris_rect rect, iris_scratch *scratch);
 
