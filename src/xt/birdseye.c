@@ -181,14 +181,14 @@ static uint8_t blend(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t ri
     return (uint8_t)((top * (256 - down) + bottom * down + 32768) >> 16);
 }
 
-/* Any run. */
+/* Any run that exists. */
 static void draw_edge(uint8_t *to, const run *r, const iris_image *src, int channels, uint8_t fill)
 {
     for (int32_t i = 0; i < r->n; i++, to += channels) {
         int32_t x, y, x_next, y_next;
         uint32_t right, down;
         iris_place at = place_in(r, i);
-        if (!r->exists || !sample_at(&x, &x_next, &right, at.x_q16, src->w) ||
+        if (!sample_at(&x, &x_next, &right, at.x_q16, src->w) ||
             !sample_at(&y, &y_next, &down, at.y_q16, src->h)) {
             memset(to, fill, (size_t)channels);
             continue;
@@ -212,8 +212,10 @@ static void draw_gray(uint8_t *to, const run *r, const iris_image *src)
         const uint8_t *above = pixels + (y >> 16) * stride + (x >> 16), *below = above + stride;
         uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
         uint32_t left = above[0] | (uint32_t)below[0] << 16, other = above[1] | (uint32_t)below[1] << 16;
-        uint32_t both = left * (256 - right) + other * right; /* above and below, 16 bits each */
-        to[i] = (uint8_t)(((both & 0xFFFF) * (256 - down) + (both >> 16) * down + 32768) >> 16);
+        uint32_t both =
+            left * 256 + (other - left) * right; /* above and below, 16 bits each; wraps, and back */
+        uint32_t top = both & 0xFFFF, bottom = both >> 16;
+        to[i] = (uint8_t)((top * 256 + (bottom - top) * down + 32768) >> 16);
     }
 }
 
@@ -239,6 +241,14 @@ static int is_inside(iris_place at, const iris_image *src)
            at.y_q16 <= (src->h - 1) * 65536 - 256;
 }
 
+/* Are all positions between these two beyond one side of the picture? */
+static int is_outside(iris_place a, iris_place b, const iris_image *src)
+{
+    int32_t right = src->w * 65536 - 32768, bottom = src->h * 65536 - 32768;
+    return (a.x_q16 < -33000 && b.x_q16 < -33000) || (a.y_q16 < -33000 && b.y_q16 < -33000) ||
+           (a.x_q16 > right && b.x_q16 > right) || (a.y_q16 > bottom && b.y_q16 > bottom);
+}
+
 static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_image *src, int32_t y)
 {
     int channels = src->format == IRIS_GRAY8 ? 1 : 3;
@@ -249,7 +259,10 @@ static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_imag
             int32_t n = r.n - first < PIECE ? r.n - first : PIECE;
             iris_place at = place_in(&r, first);
             const run piece = {n, r.exists, at.x_q16, at.y_q16, r.dx, r.dy};
-            if (!r.exists || !is_inside(at, src) || !is_inside(place_in(&piece, n - 1), src)) {
+            iris_place end = place_in(&piece, n - 1);
+            if (!r.exists || is_outside(at, end, src)) {
+                memset(to, birdseye->window.fill, (size_t)(n * channels));
+            } else if (!is_inside(at, src) || !is_inside(end, src)) {
                 draw_edge(to, &piece, src, channels, birdseye->window.fill);
             } else {
                 (channels == 1 ? draw_gray : draw_color)(to, &piece, src);
