@@ -331,11 +331,9 @@ int iris_circle_test(hypothesis *circle, circle_search *s)
         return 0;
     }
     points = find_radius(circle, s, cell_q8 / 2 + 640, 320);
-    for (int i = 0; i < 2; i++) {
-        if (!are_enough(points, circle, s) || !fit(circle, s, band_of(circle)) ||
-            !is_asked_for(circle, s, 2 * SLACK)) {
-            return 0;
-        }
+    if (!are_enough(points, circle, s) || !fit(circle, s, band_of(circle)) || measure(circle, s) == 0 ||
+        !fit(circle, s, band_of(circle)) || !is_asked_for(circle, s, 2 * SLACK)) {
+        return 0;
     }
     walk(s, circle, band_of(circle) + 16, GATHER_ALL);
     circle->votes = measure(circle, s); /* a neat circle comes before one of two edges */

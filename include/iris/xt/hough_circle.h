@@ -37,8 +37,8 @@ extern "C" {
 typedef enum { IRIS_CIRCLE_EITHER, IRIS_CIRCLE_BRIGHT, IRIS_CIRCLE_DARK } iris_circle_polarity;
 
 /* min_votes and min_share_permil both have to be reached. Of two circles whose centers are nearer than min_distance only
- * the better counts. cell is the least side of the accumulator's cells: half the memory costs a little precision of the
- * hypotheses, not of the circles. */
+ * the better counts. cell is the least side of the accumulator's cells: larger ones cost precision of the peaks, not
+ * of the circles, as long as they are small against the radius. */
 typedef struct {
     int32_t radius_min;            /* pixels, IRIS_CIRCLE_RADIUS_MIN..IRIS_CIRCLE_RADIUS_MAX; default 10 */
     int32_t radius_max;            /* the same, at least radius_min; default 50 */
