@@ -50,6 +50,7 @@ int main(int argc, char **argv)
     score_edges(&s);
     score_blobs(&s);
     score_circles(&s);
+    score_shapes_found(&s);
     score_floor(&s);
     score_lines(&s);
     score_junctions(&s);

@@ -44,6 +44,7 @@ void score_quadtree(score *s);
 void score_edges(score *s);
 void score_blobs(score *s);
 void score_circles(score *s);
+void score_shapes_found(score *s);
 void score_floor(score *s);
 void score_lines(score *s);
 void score_junctions(score *s);
