@@ -3,9 +3,10 @@
 
 #define TURN      65536
 #define VOTES_MAX 65535
-#define PEAKS     4  /* of a slice that are looked at */
-#define SAMPLES   64 /* outline points by which they are */
-#define TOLERANCE 32 /* 2 pixels: what confirms an outline point */
+#define VOTERS    2048 /* of more edge points every other one votes */
+#define PEAKS     4    /* of a slice that are looked at */
+#define SAMPLES   64   /* outline points by which they are */
+#define TOLERANCE 32   /* 2 pixels: what confirms an outline point */
 
 void iris_hough_shape_defaults(iris_hough_shape_config *config)
 {
@@ -143,7 +144,8 @@ static void vote_slice(const iris_hough_shape *shape, iris_angle angle, iris_q16
     for (int32_t i = 0; i < shape->entries; i++) {
         turn_entry(&shape->turned[i].x_q4, &shape->turned[i].y_q4, shape->table, i, turn);
     }
-    for (int32_t i = 0; i < count; i++) {
+    int32_t step = count > VOTERS ? 2 : 1; /* one edge point votes much as the next does */
+    for (int32_t i = 0; i < count; i += step) {
         const iris_hough_shape_edge *edge = &shape->edges[i];
         vote_alike(shape, edge, edge->angle - angle + (reversed ? TURN / 2 : 0));
     }
@@ -153,48 +155,65 @@ typedef struct {
     int32_t votes, x, y; /* of the cells around it; the cell */
 } peak;
 
-/* The votes of the 3x3 cells around one, the outer ones of the picture left out. */
+/* The votes of the 3x3 cells around one, those of the picture; 0 when one of them has more votes than the middle. */
 static int32_t votes_around(const iris_hough_shape *shape, int32_t x, int32_t y)
 {
     int32_t w = shape->cells_w, sum = 0;
+    uint16_t most = shape->votes[(size_t)y * (size_t)w + (size_t)x];
     for (int32_t row = y > 0 ? y - 1 : 0; row <= y + 1 && row < shape->cells_h; row++) {
         const uint16_t *votes = shape->votes + (size_t)row * (size_t)w;
-        sum += votes[x] + (x > 0 ? votes[x - 1] : 0) + (x + 1 < w ? votes[x + 1] : 0);
+        for (int32_t column = x > 0 ? x - 1 : 0; column <= x + 1 && column < w; column++) {
+            if (votes[column] > most) {
+                return 0;
+            }
+            sum += votes[column];
+        }
     }
     return sum;
 }
 
-/* The best cells of a slice, best first, none next to another. Returns how many. */
+static int is_beside(const peak *a, const peak *b)
+{
+    return !outside(a->x - b->x, -2, 2) && !outside(a->y - b->y, -2, 2);
+}
+
+/* Puts a peak among the best, unless a better one is beside it; worse ones beside it go. */
+static void insert_peak(peak peaks[PEAKS], int32_t *count, const peak *new)
+{
+    int32_t at = 0;
+    for (; at < *count && peaks[at].votes >= new->votes; at++) {
+        if (is_beside(&peaks[at], new)) {
+            return;
+        }
+    }
+    int32_t kept = at;
+    for (int32_t i = at; i < *count; i++) {
+        if (!is_beside(&peaks[i], new)) {
+            peaks[kept++] = peaks[i];
+        }
+    }
+    *count = kept < PEAKS ? kept + 1 : PEAKS;
+    for (int32_t i = *count - 1; i > at; i--) {
+        peaks[i] = peaks[i - 1];
+    }
+    peaks[at] = *new;
+}
+
+/* The best cells of a slice, best first, none beside another. Returns how many. */
 static int32_t find_peaks(peak peaks[PEAKS], const iris_hough_shape *shape)
 {
-    int32_t count = 0;
+    int32_t count = 0, least = 1;
+    const uint16_t *votes = shape->votes;
     for (int32_t y = 0; y < shape->cells_h; y++) {
         for (int32_t x = 0; x < shape->cells_w; x++) {
+            if (*votes++ * 9 < least) { /* none of the 3x3 has more */
+                continue;
+            }
             peak new = {votes_around(shape, x, y), x, y};
-            if (new.votes == 0 || (count == PEAKS && new.votes <= peaks[PEAKS - 1].votes)) {
-                continue;
+            if (new.votes >= least) {
+                insert_peak(peaks, &count, &new);
+                least = count == PEAKS ? peaks[PEAKS - 1].votes + 1 : 1;
             }
-            /* behind its betters; gone when one is near */
-            int32_t at = 0, near = 0;
-            while (at < count && peaks[at].votes >= new.votes) {
-                near |= !outside(peaks[at].x, x - 2, x + 2) && !outside(peaks[at].y, y - 2, y + 2);
-                at++;
-            }
-            if (near) {
-                continue;
-            }
-            /* those behind it that are near go */
-            int32_t kept = at;
-            for (int32_t i = at; i < count; i++) {
-                if (outside(peaks[i].x, x - 2, x + 2) || outside(peaks[i].y, y - 2, y + 2)) {
-                    peaks[kept++] = peaks[i];
-                }
-            }
-            count = kept < PEAKS ? kept + 1 : PEAKS;
-            for (int32_t i = count - 1; i > at; i--) {
-                peaks[i] = peaks[i - 1];
-            }
-            peaks[at] = new;
         }
     }
     return count;

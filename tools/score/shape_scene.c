@@ -71,11 +71,23 @@ static int is_inside(const thing *t, double x, double y)
     }
 }
 
-/* level, or `add` to what is there; with smooth edges by 3x3 samples of a pixel. */
+/* Nothing of it is farther from its place. */
+static double reach_of(const thing *t)
+{
+    return t->of == HALF                      ? SCENE_W + SCENE_H
+           : t->of == PIECE || t->of == WHOLE ? t->scale * (t->shape->mask.w + t->shape->mask.h)
+                                              : t->a + t->b;
+}
+
+/* With smooth edges, by 3x3 samples of a pixel. */
 static void paint(double *plane, const thing *t, double level)
 {
+    double reach = reach_of(t) + 1;
     for (int32_t i = 0; i < SCENE_W * SCENE_H; i++) {
         int inside = 0;
+        if (fabs(i % SCENE_W - t->x) > reach || fabs(i / SCENE_W - t->y) > reach) {
+            continue;
+        }
         for (int k = 0; k < 9; k++) {
             inside += is_inside(t, i % SCENE_W + (k % 3 - 1) / 3.0, i / SCENE_W + (k / 3 - 1) / 3.0);
         }
