@@ -34,7 +34,7 @@ works "find" find --json l.rtable dark.pgm
 near "x" "$(member x)" 45 0.7
 near "y" "$(member y)" 30 0.7
 near "angle_deg" "$(member angle_deg)" 0 1
-near "scale" "$(member scale)" 1 0.015
+near "scale" "$(member scale)" 1 0.025
 works "a picture with the shape in" find l.rtable dark.pgm -o seen.ppm
 cmp -s seen.ppm dark.pgm; [ $? -eq 1 ]; say $? "is another picture"
 works "in text" find --count 1 l.rtable dark.pgm
@@ -44,7 +44,7 @@ grep -q '"shapes":\[\]' out; say $? "finds nothing"
 works "--polarity" find --json --polarity same --scales 1 l.rtable dark.pgm
 grep -q '"shapes":\[\]' out; say $? "dark is not bright"
 works "--polarity reversed" find --json --polarity reversed --scales 1 l.rtable dark.pgm
-near "one size" "$(member scale)" 1 0.02
+near "one size" "$(member scale)" 1 0.025
 works "--roi" find --json --roi 32,16,64,60 l.rtable dark.pgm
 near "x in the whole picture" "$(member x)" 45 0.7
 works "a gray template" teach --json --entries 60 gray.rtable gray.pgm

@@ -12,7 +12,7 @@ void iris_hough_shape_defaults(iris_hough_shape_config *config)
 {
     if (config) {
         *config = (iris_hough_shape_config){
-            -32768, 32767, 910, IRIS_Q16_ONE, IRIS_Q16_ONE, 6554, 4, IRIS_HOUGH_SHAPE_EITHER, 450, 300, 8192};
+            -32768, 32767, 910, IRIS_Q16_ONE, IRIS_Q16_ONE, 6554, 4, IRIS_HOUGH_SHAPE_EITHER, 400, 300, 8192};
     }
 }
 

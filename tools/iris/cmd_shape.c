@@ -7,6 +7,7 @@
 #include "canvas.h"
 #include "chain.h"
 #include "commands.h"
+#include "iris/xt/canny_adapt.h"
 #include "iris/xt/hough_shape.h"
 #include "one_line.h"
 #include "shape_teach.h"
@@ -27,13 +28,14 @@ static const char find_help[] =
     "  --angles STEP     of all directions, each so many degrees, 0.5 to 360; default 5\n"
     "  --scales A-B:STEP sizes from A to B times the template's, 0.1 to 8; default 0.7-1.4:0.1.\n"
     "                    One number alone is the only size\n"
-    "  --score S         the least share of the outline that is seen, 0.001 to 1; default 0.45\n"
+    "  --score S         the least share of the outline that is seen, 0.001 to 1; default 0.4\n"
     "  --count N         the best N at most, 1 to 32; default 32\n"
     "  --polarity P      either (the default); same: the shape is as bright or dark against its\n"
     "                    surroundings as the template; reversed: the other way round\n"
     "  --sigma S         of the Gaussian before Canny's edges, 0.1 to 40 pixels; 0: none.\n"
     "                    Default 1.4\n"
-    "  --low L, --high H Canny's thresholds, 0 to 32767, default 40 and 100\n" OPERATION_OPTIONS "\n"
+    "  --low L, --high H Canny's thresholds, 0 to 32767. Default: from the picture, by its noise, at\n"
+    "                    most 40 and 100\n" OPERATION_OPTIONS "\n"
     "JSON has shapes, a list of x, y (where the template's reference point lies, pixels), angle_deg\n"
     "(clockwise as seen), scale, and score (the share of the outline that is seen). OUT is the\n"
     "picture with the outlines drawn in.\n\n"
@@ -42,6 +44,7 @@ static const char find_help[] =
 typedef struct {
     iris_hough_shape_config config;
     iris_canny_config canny;
+    int adapts; /* Canny's thresholds come from the picture */
     int32_t count;
     size_t bytes;
     uint8_t table[IRIS_HOUGH_SHAPE_TABLE_BYTES(IRIS_HOUGH_SHAPE_ENTRIES_MAX)];
@@ -58,8 +61,10 @@ static iris_edge_point *edges_of(int32_t *count, finding **found, operation_stag
                                  const iris_image *gray)
 {
     const settings *by = stage->settings;
-    size_t bytes = IRIS_EDGE_POINTS_SCRATCH_BYTES(gray->w, gray->h, by->canny.sigma_q16);
-    iris_scratch *scratch = stage_scratch(stage, bytes);
+    iris_canny_config canny = by->canny;
+    size_t bytes = IRIS_EDGE_POINTS_SCRATCH_BYTES(gray->w, gray->h, canny.sigma_q16);
+    size_t adapt_bytes = IRIS_CANNY_ADAPT_SCRATCH_BYTES(gray->w, canny.sigma_q16);
+    iris_scratch *scratch = stage_scratch(stage, bytes > adapt_bytes ? bytes : adapt_bytes);
     int32_t most =
         gray->w * gray->h < IRIS_HOUGH_SHAPE_POINTS_MAX ? gray->w * gray->h : IRIS_HOUGH_SHAPE_POINTS_MAX;
     char *room = scratch ? stage_room(stage, sizeof **found + (size_t)most * sizeof(iris_edge_point)) : NULL;
@@ -68,7 +73,10 @@ static iris_edge_point *edges_of(int32_t *count, finding **found, operation_stag
     }
     *found = (finding *)(void *)room;
     iris_edge_point *points = (iris_edge_point *)(void *)(room + sizeof **found);
-    iris_status status = iris_edge_points(points, most, count, gray, &by->canny, scratch);
+    iris_status status = by->adapts ? iris_canny_adapt(&canny, gray, scratch) : IRIS_OK;
+    if (status == IRIS_OK) {
+        status = iris_edge_points(points, most, count, gray, &canny, scratch);
+    }
     *count = *count < most ? *count : most;
     return stage_exit(stage, status == IRIS_ERR_FULL ? IRIS_OK : status) == EXIT_DONE ? points : NULL;
 }
@@ -282,6 +290,7 @@ static int parse(void *into, operation_words *words)
         !read_numbers(by, &given) || !shape_read_canny(&by->canny, given.sigma, given.low, given.high)) {
         return 0;
     }
+    by->adapts = !given.low && !given.high;
     arguments *args = &words->arguments;
     if (args->operand_count < 2) {
         complain(NULL, "find takes a table and pictures (see iris shape find --help)");

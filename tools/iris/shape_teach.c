@@ -8,6 +8,7 @@
 #include "complain.h"
 #include "file_write.h"
 #include "frame_reader.h"
+#include "iris/xt/canny_adapt.h"
 #include "iris/xt/hough_shape.h"
 #include "iris/xt/threshold.h"
 #include "json.h"
@@ -23,7 +24,8 @@ static const char help[] =
     "  --entries N       outline points that are kept, 8 to 1024, default 256\n"
     "  --sigma S         of the Gaussian before Canny's edges, 0.1 to 40 pixels; 0: none.\n"
     "                    Default 1.4\n"
-    "  --low L, --high H Canny's thresholds, 0 to 32767, default 40 and 100\n"
+    "  --low L, --high H Canny's thresholds, 0 to 32767. Default: from the picture, by its noise, at\n"
+    "                    most 40 and 100. A silhouette needs none\n"
     "  --json            one JSON object: file, output, x and y of the reference point, points of\n"
     "                    the outline, entries, and bytes\n\n"
     "example: iris shape teach key.rtable key.bmp\n";
@@ -36,6 +38,7 @@ typedef struct {
 typedef struct {
     const char *output, *file;
     int json;
+    int adapts; /* Canny's thresholds come from the template */
     iris_canny_config canny;
     iris_hough_shape_teaching teaching;
 } teaching;
@@ -104,6 +107,7 @@ static int parse(teaching *t, int argc, char **argv)
         complain(NULL, "teach takes two files, OUT.rtable and TEMPLATE (see iris shape teach --help)");
         return EXIT_BAD_CALL;
     }
+    t->adapts = !low && !high;
     t->output = args.operands[0];
     t->file = args.operands[1];
     if (entries && (!args_numbers(&t->teaching.entries, 1, ',', entries) ||
@@ -197,13 +201,19 @@ static iris_status find_outline(iris_edge_point *points, int32_t most, int32_t *
 }
 
 static iris_status find_canny(iris_edge_point *points, int32_t most, int32_t *count, const iris_image *gray,
-                              const iris_canny_config *canny)
+                              const teaching *t)
 {
+    iris_canny_config canny = t->canny;
     iris_scratch scratch;
-    size_t bytes = IRIS_EDGE_POINTS_SCRATCH_BYTES(gray->w, gray->h, canny->sigma_q16);
+    size_t bytes = IRIS_EDGE_POINTS_SCRATCH_BYTES(gray->w, gray->h, canny.sigma_q16);
+    size_t adapt_bytes = IRIS_CANNY_ADAPT_SCRATCH_BYTES(gray->w, canny.sigma_q16);
+    bytes = bytes > adapt_bytes ? bytes : adapt_bytes;
     void *memory = malloc(bytes);
     (void)iris_scratch_init(&scratch, memory, memory ? bytes : 0);
-    iris_status status = iris_edge_points(points, most, count, gray, canny, &scratch);
+    iris_status status = t->adapts ? iris_canny_adapt(&canny, gray, &scratch) : IRIS_OK;
+    if (status == IRIS_OK) {
+        status = iris_edge_points(points, most, count, gray, &canny, &scratch);
+    }
     free(memory);
     return status;
 }
@@ -223,7 +233,7 @@ static iris_edge_point *find_points(int32_t *count, teaching *t)
     iris_edge_point *points = malloc((size_t)most * sizeof *points);
     iris_status status = !points      ? IRIS_ERR_SCRATCH
                          : silhouette ? find_outline(points, most, count, gray, background != 0)
-                                      : find_canny(points, most, count, gray, &t->canny);
+                                      : find_canny(points, most, count, gray, t);
     if (status != IRIS_OK) {
         complain(t->file, "not enough memory");
         free(points);

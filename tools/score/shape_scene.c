@@ -106,13 +106,13 @@ static void paint_clutter(double *plane, double ground, const scene_template *ot
                    .s = sin(turn),
                    .a = next(12, 60),
                    .b = next(12, 60),
+                   .shape = &others[(int)next(0, count)],
                    .scale = next(0.6, 1.4)};
         if (t.of == STROKE) {
             t.b = next(1.5, 8);
             t.a *= 1.5;
         }
         if (t.of == PIECE) {
-            t.shape = &others[(int)next(0, count)];
             t.a = next(0.25, 0.75) * t.shape->mask.w;
             t.b = next(0.25, 0.75) * t.shape->mask.h;
         }

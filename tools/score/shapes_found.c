@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "iris/copy.h"
+#include "iris/xt/canny_adapt.h"
 #include "iris/xt/hough_shape.h"
 #include "iris/xt/threshold.h"
 #include "nothing.h"
@@ -86,7 +87,10 @@ static int32_t find(iris_hough_shape_found *found, iris_hough_shape *shape, cons
     config.scale_min_q16 = 45875; /* 0.7 to 1.4 by 0.1 */
     config.scale_max_q16 = 91750;
     config.points = POINTS_MAX;
-    iris_status status = iris_edge_points(points, POINTS_MAX, &edges, gray, &canny, &scratch);
+    iris_status status = iris_canny_adapt(&canny, gray, &scratch);
+    if (status == IRIS_OK) {
+        status = iris_edge_points(points, POINTS_MAX, &edges, gray, &canny, &scratch);
+    }
     edges = edges < POINTS_MAX ? edges : POINTS_MAX;
     if ((status != IRIS_OK && status != IRIS_ERR_FULL) ||
         iris_hough_shape_begin(shape, tables[i], table_bytes[i], (iris_size){gray->w, gray->h}, &config,

@@ -106,7 +106,7 @@ typedef struct {
     iris_q16 scale_step_q16; /* 1 or more; not more than SCALES_MAX steps; default 0.1 */
     int32_t cell;            /* pixels, 1, 2, 4 .. CELL_MAX: side of a cell of votes; default 4 */
     iris_hough_shape_polarity polarity; /* default EITHER */
-    int32_t min_score;                  /* permil, 1 to 1000; default 450 */
+    int32_t min_score;                  /* permil, 1 to 1000; default 400 */
     int32_t separation;                 /* permil of the shape's reach, 0 to 1000; default 300 */
     int32_t points;                     /* most edge points of a picture, 1 to POINTS_MAX; default 8192 */
 } iris_hough_shape_config;
