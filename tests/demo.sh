@@ -23,6 +23,16 @@ say $? "one lap by millimeters"
 "$demo" --quick --seed 4 2>&1 | grep -v '^library' > "$root/log"
 cmp -s "$root/first" "$root/log"
 say $? "the same drive again, to the last digit"
+for turn in t:left t:right left:left left:straight right:right right:straight y:left y:right \
+    crossing:left crossing:right crossing:straight; do
+    for seed in 1 2; do
+        "$demo" --junction ${turn%:*} --take ${turn#*:} --seed $seed > "$root/log" 2>&1
+        say $? "over a junction ($turn, floor $seed)"
+    done
+done
+"$demo" --junction t --take straight > "$root/log" 2>&1
+[ $? -eq 2 ]
+say $? "a turn that a junction does not have"
 "$demo" --quick --blank > "$root/log" 2>&1
 [ $? -eq 1 ] && grep -q '^laps      0.00' "$root/log" && grep -q '^FAILED' "$root/log"
 say $? "with a covered lens it fails, and stays where it is"

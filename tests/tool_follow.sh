@@ -404,3 +404,22 @@ if [ -d "$data/line/black_tape" ]; then
 else
     echo "ok - real frames # SKIP no data (IRIS_DATA)"
 fi
+
+# A T of strokes of 9 pixels: from below, to the left and the right.
+awk 'BEGIN { printf "P5 160 120 255\n"; for (y = 0; y < 120; y++) for (x = 0; x < 160; x++)
+    printf "%s", (y >= 56 && y < 65) || (x >= 76 && x < 85 && y >= 56) ? " " : "~" }' > t.pgm
+works "--junctions" --junctions --json --stills --overlay seen_t t.pgm right.pgm
+grep -q '"junctions":\[{"type":"T","x":8[01][.0-9]*,"y":[56][.0-9]*,"branches_deg":\[-180,-90,90\],"distance_rows":[56][0-9],"confidence":1}\]' out
+say $? "a T, its place and its branches"
+sed -n 2p out | grep -q '"junctions":\[\]'; say $? "none on a straight line"
+[ -s seen_t/t.bmp ]; say $? "--junctions draws"
+works "--junctions, text" --junctions --stills t.pgm
+grep -q '  T 8[01],[56][0-9] ' out; say $? "a T in the text"
+works "follow without --junctions" --json --stills t.pgm
+grep -q junctions out; [ $? -eq 1 ]; say $? "nothing about junctions without the option"
+works "--take" --junctions --take left,right --json t.pgm t.pgm t.pgm t.pgm
+is "--take left" next_angle_deg -90 4
+works "--take right" --junctions --take right --json t.pgm t.pgm t.pgm t.pgm
+near "--take right" next_angle_deg 90 1 4
+refuses "--take alone" 2 "only together with --junctions" --take left t.pgm
+refuses "--take elsewhere" 2 "left, right, or straight, with commas between them, not 'back'" --junctions --take back t.pgm

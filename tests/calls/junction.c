@@ -2,6 +2,7 @@
 #include "iris/xt/junction.h"
 
 #include "calls.h"
+#include "iris/xt/junction_latch.h"
 #include "iris/xt/line_mask.h"
 
 static void line_mask(void)
@@ -31,8 +32,70 @@ static void junctions(void)
     CALL(iris_junctions_find(found, capacity, count, mask, given, scratch));
 }
 
+static void latch_init(void)
+{
+    iris_junction_latch *latch = OR_NULL(draw_results(sizeof *latch));
+    iris_size size = {draw_int(8, IRIS_FOLLOW_SIDE_MAX), draw_int(8, IRIS_FOLLOW_SIDE_MAX)};
+    CALL(iris_junction_latch_init(latch, size));
+}
+
+/* A latch with turns to take, in any state. */
+static iris_junction_latch any_latch(void)
+{
+    iris_junction_latch latch;
+    (void)iris_junction_latch_init(&latch, (iris_size){draw_within(8, 200), draw_within(8, 200)});
+    for (int32_t i = draw_within(0, IRIS_JUNCTION_TURNS_MAX); i > 0; i--) {
+        iris_turn turn = (iris_turn)draw_below(3);
+        (void)iris_junction_latch_take(&latch, &turn, 1);
+    }
+    latch.state = (iris_latch_state)draw_below(3);
+    latch.branch = (iris_angle)draw_within(-32768, 32767);
+    latch.x = draw_within(0, latch.size.w - 1);
+    latch.y = draw_within(0, latch.size.h - 1);
+    latch.hits = draw_within(0, 3);
+    return latch;
+}
+
+static void latch_take(void)
+{
+    iris_junction_latch made = any_latch(), *latch = OR_NULL(draw_state(&made, sizeof made));
+    iris_turn turns[4];
+    for (int i = 0; i < 4; i++) {
+        turns[i] = (iris_turn)draw_below(draw_chance(20) ? 4 : 3);
+    }
+    const iris_turn *given = OR_NULL(draw_given(turns, sizeof turns));
+    int32_t count = draw_within(-1, 4);
+    CALL(iris_junction_latch_take(latch, given, count));
+}
+
+static void latch_update(void)
+{
+    iris_junction_latch made = any_latch(), *latch = OR_NULL(draw_state(&made, sizeof made));
+    iris_junction found[3];
+    for (int i = 0; i < 3; i++) {
+        found[i] = (iris_junction){(iris_junction_type)draw_below(5),
+                                   draw_within(0, 3200),
+                                   draw_within(0, 3200),
+                                   draw_within(0, 200),
+                                   draw_within(1, 40),
+                                   draw_within(0, IRIS_JUNCTION_BRANCHES),
+                                   {0},
+                                   draw_within(0, 1000)};
+        for (int k = 0; k < IRIS_JUNCTION_BRANCHES; k++) {
+            found[i].branches[k] = (iris_angle)draw_within(-32768, 32767);
+        }
+    }
+    iris_follow_result seen = {.state = (iris_line_state)draw_below(3),
+                               .angle = (iris_angle)draw_within(-16384, 16384),
+                               .offset_q16 = draw_within(-131072, 131072)};
+    iris_follow_result *line = OR_NULL(draw_state(&seen, sizeof seen));
+    const iris_junction *given = OR_NULL(draw_given(found, sizeof found));
+    int32_t count = draw_within(-1, 3), elapsed_ms = draw_int(0, 60000);
+    CALL(iris_junction_latch_update(line, latch, given, count, elapsed_ms));
+}
+
 const random_call calls_junction[] = {
-    {"iris_line_mask", line_mask},
-    {"iris_junctions_find", junctions},
-    {NULL, NULL},
+    {"iris_junction_latch_init", latch_init},     {"iris_junction_latch_take", latch_take},
+    {"iris_junction_latch_update", latch_update}, {"iris_line_mask", line_mask},
+    {"iris_junctions_find", junctions},           {NULL, NULL},
 };

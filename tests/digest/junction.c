@@ -1,6 +1,7 @@
 #include "digest.h"
 
 #include "iris/xt/junction.h"
+#include "iris/xt/junction_latch.h"
 #include "iris/xt/line_mask.h"
 #include "iris/xt/threshold.h"
 
@@ -63,7 +64,32 @@ static void anything(void)
     digest_view(&mask);
 }
 
+/* A crossing comes nearer, passes, and the branch comes around. */
+static void latch(void)
+{
+    for (int turn = 0; turn < 3; turn++) {
+        iris_junction_latch latch;
+        iris_turn take = (iris_turn)turn;
+        digest_number(iris_junction_latch_init(&latch, (iris_size){160, 120}));
+        digest_number(iris_junction_latch_take(&latch, &take, 1));
+        for (int32_t y = 20; y < 200; y += 5) {
+            iris_junction found = {IRIS_JUNCTION_CROSSING,       1200 + y, y * 16, 119 - y, 14, 4,
+                                   {-30000, -16000, 900, 17000}, 900};
+            iris_follow_result line = {.state = IRIS_LINE_FOUND, .angle = (iris_angle)((y - 110) * 300)};
+            digest_number(iris_junction_latch_update(&line, &latch, &found, y < 120, 33));
+            digest_number((int32_t)line.state);
+            digest_number(line.angle);
+            digest_number(line.next_angle);
+            digest_number(line.offset_q16);
+            digest_number(line.lookahead_offset_q16);
+            digest_bytes(line.segments, sizeof line.segments);
+            digest_number((int32_t)latch.state);
+        }
+    }
+}
+
 const digest_operation digest_junction[] = {
+    {"junction.latch", latch},
     {"junction.crossing", crossing},
     {"junction.anything", anything},
     {NULL, NULL},

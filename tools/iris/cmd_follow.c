@@ -28,6 +28,9 @@ static const char help[] =
     "  --estimator E  straight parts by regression (default) or hough\n"
     "  --rows Y,...   the rows to report; default: the look-ahead row (a third from the top),\n"
     "                 the middle, and the bottom in JSON, none in the text\n"
+    "  --junctions    tell T, Y, crossings, corners, and ends, and where their branches lead\n"
+    "  --take T,...   left, right, or straight: at the next junctions that offer it, one each;\n"
+    "                 goes with --junctions\n"
     "  --json         one JSON object per frame\n"
     "  --stills       frames have nothing to do with each other: forget between them\n"
     "  --rate N       frames per second, 1 to 1000, default 30\n"
@@ -40,6 +43,7 @@ static const char help[] =
     "steer: -1 full left to 1 full right, and as wheel angle; speed: 0 to 1. Both are there for lost\n"
     "frames too: the search for the line, then the stop. In JSON, what does not exist is null.\n\n"
     "example: iris follow --rows 40,120,200 --overlay seen frames/\n"
+    "         iris follow --junctions --take left,straight frames/\n"
     "         camera | iris follow --json --serial /dev/ttyUSB0 -\n"
     "         iris follow --line hsl:50-90:20-100:20-70 yellow/*.bmp\n";
 
@@ -89,8 +93,8 @@ static int change_size(sequence *s, const char *file, iris_size size)
     return EXIT_DONE;
 }
 
-/* Follows the line into this frame and steers. */
-static void look(follow_answer *answer, sequence *s, uint32_t now_ms)
+/* Follows the line into this frame and steers. Returns an exit code after complaining. */
+static int look(follow_answer *answer, sequence *s, uint32_t now_ms)
 {
     int32_t elapsed_ms = s->answered > 0 ? (int32_t)(now_ms - s->last_ms) : 0;
     if (s->options->stills) {
@@ -99,12 +103,23 @@ static void look(follow_answer *answer, sequence *s, uint32_t now_ms)
         elapsed_ms = 0;
     }
     iris_follow_frame(&answer->line, &s->follow, &s->picture.image, now_ms);
+    answer->junctions.count = -1;
+    if (s->options->junctions.used) {
+        int afresh = s->answered == 0 || s->options->stills;
+        int exit_code =
+            follow_junctions_look(&answer->junctions, &answer->line, &s->picture.image, &s->options->line,
+                                  &s->options->junctions, afresh ? -1 : elapsed_ms);
+        if (exit_code != EXIT_DONE) {
+            return exit_code;
+        }
+    }
     follow_floor_steer(&answer->command, &answer->goal, &s->steer, &answer->line, &s->options->floor,
                        elapsed_ms);
     answer->command.seq = (int32_t)(s->answered % 10000); /* --stills too counts sentences */
     answer->wheel_centideg = iris_steer_wheel_centideg(&s->steer, &answer->command);
     s->answered++;
     s->last_ms = now_ms;
+    return EXIT_DONE;
 }
 
 /* Answers the frame in s->picture. Returns an exit code. */
@@ -120,7 +135,10 @@ static int answer_frame(sequence *s, const char *file)
             return exit_code;
         }
     }
-    look(&answer, s, (uint32_t)now_ms);
+    int looked = look(&answer, s, (uint32_t)now_ms);
+    if (looked != EXIT_DONE) {
+        return looked;
+    }
     if (options->serial) {
         if (strcmp(file, "-") != 0) {
             follow_port_wait(now_ms);
@@ -191,6 +209,7 @@ static int run(const follow_options *options, const input_list *inputs)
         exit_code = EXIT_BAD_DATA;
     }
     follow_overlay_end();
+    follow_junctions_end();
     picture_free(&s.picture);
     return exit_code;
 }
@@ -198,17 +217,25 @@ static int run(const follow_options *options, const input_list *inputs)
 int cmd_follow(int argc, char **argv)
 {
     static follow_options options;
-    follow_texts texts = {NULL, NULL, NULL, NULL, NULL};
+    follow_texts texts = {NULL, NULL, NULL, NULL, NULL, NULL};
     follow_floor_texts floor = {NULL, NULL, NULL, NULL};
     int lane = 0;
-    const args_option known[] = {
-        {"floor", 0, NULL, &floor.floor},         {"lookahead", 0, NULL, &floor.lookahead},
-        {"radius", 0, NULL, &floor.radius},       {"axle", 0, NULL, &floor.axle},
-        {"line", 0, NULL, &texts.line},           {"lane", 0, &lane, NULL},
-        {"estimator", 0, NULL, &texts.estimator}, {"rows", 0, NULL, &texts.rows},
-        {"json", 0, &options.json, NULL},         {"stills", 0, &options.stills, NULL},
-        {"rate", 0, NULL, &texts.rate},           {"overlay", 0, NULL, &options.overlay},
-        {"serial", 0, NULL, &options.serial},     {"baud", 0, NULL, &texts.baud}};
+    const args_option known[] = {{"floor", 0, NULL, &floor.floor},
+                                 {"lookahead", 0, NULL, &floor.lookahead},
+                                 {"radius", 0, NULL, &floor.radius},
+                                 {"axle", 0, NULL, &floor.axle},
+                                 {"line", 0, NULL, &texts.line},
+                                 {"lane", 0, &lane, NULL},
+                                 {"estimator", 0, NULL, &texts.estimator},
+                                 {"rows", 0, NULL, &texts.rows},
+                                 {"junctions", 0, &options.junctions.used, NULL},
+                                 {"take", 0, NULL, &texts.take},
+                                 {"json", 0, &options.json, NULL},
+                                 {"stills", 0, &options.stills, NULL},
+                                 {"rate", 0, NULL, &texts.rate},
+                                 {"overlay", 0, NULL, &options.overlay},
+                                 {"serial", 0, NULL, &options.serial},
+                                 {"baud", 0, NULL, &texts.baud}};
     arguments args = {help, known, sizeof known / sizeof known[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
@@ -216,6 +243,10 @@ int cmd_follow(int argc, char **argv)
     }
     if (args.operand_count == 0) {
         complain(NULL, "no input (see --help)");
+        return EXIT_BAD_CALL;
+    }
+    if (texts.take && !options.junctions.used) {
+        complain("--take", "only together with --junctions");
         return EXIT_BAD_CALL;
     }
     if (texts.baud && !options.serial) {

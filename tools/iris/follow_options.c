@@ -76,5 +76,6 @@ int follow_options_read(follow_options *options, const follow_texts *texts)
            (!texts->estimator || read_estimator(&options->hough, texts->estimator)) &&
            (!texts->rows || read_rows(options, texts->rows)) &&
            (!texts->rate || read_number(&options->rate, "--rate", texts->rate, 1, 1000)) &&
+           (!texts->take || follow_junctions_take(&options->junctions, texts->take)) &&
            (!texts->baud || read_number(&options->baud, "--baud", texts->baud, 1200, 4000000));
 }

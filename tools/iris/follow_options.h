@@ -3,6 +3,7 @@
 #define IRIS_TOOL_FOLLOW_OPTIONS_H
 
 #include "follow_floor.h"
+#include "follow_junctions.h"
 #include "iris/xt/follow.h"
 
 #define FOLLOW_ROWS_MAX 1024
@@ -18,11 +19,12 @@ typedef struct {
     const char *overlay; /* folder; null: none */
     const char *serial;  /* device; null: none */
     follow_floor floor;
+    follow_junction_options junctions;
 } follow_options;
 
 /* The options as texts, null where not given. */
 typedef struct {
-    const char *line, *estimator, *rows, *rate, *baud;
+    const char *line, *estimator, *rows, *rate, *baud, *take;
 } follow_texts;
 
 /* Fills everything of `options` that texts decide; what is not given gets its default. Returns 0 after complaining. */

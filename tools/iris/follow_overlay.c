@@ -139,6 +139,7 @@ int follow_overlay_write(const char *folder, const iris_image *frame, const foll
         draw_segments(&c, &answer->line);
         draw_arrow(&c, answer);
     }
+    follow_junctions_draw(&c, &answer->junctions);
     draw_numbers(&c, answer);
     return overlay_folder_write(folder, answer->file, answer->frame, &c.image);
 }

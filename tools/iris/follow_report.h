@@ -16,8 +16,9 @@ typedef struct {
     iris_size size;
     iris_follow_result line;
     iris_command command;
-    iris_pursuit_goal goal; /* of --floor */
-    int32_t wheel_centideg; /* the command's steering as a wheel angle */
+    iris_pursuit_goal goal;     /* of --floor */
+    follow_junctions junctions; /* of --junctions */
+    int32_t wheel_centideg;     /* the command's steering as a wheel angle */
 } follow_answer;
 
 /* Printed to standard output and flushed. name_width: columns for the file name in the text. */

@@ -61,6 +61,9 @@ double sim_light(const sim_track *track, double x, double y)
 
 double sim_glare(const sim_track *track, double x, double y)
 {
+    if (track->glare_length <= 0) {
+        return 0;
+    }
     sim_pose center = sim_track_at(track, track->glare_s);
     double full = hypot(track->glare_length / 2, track->tape / 2);
     double out = hypot(x - center.x, y - center.y) - full;

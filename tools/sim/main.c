@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "branch.h"
 #include "frames.h"
 #include "picture.h"
 
@@ -21,6 +22,8 @@ static const char HELP[] =
     "  --quick       one lap, no pictures\n"
     "  --blank       cover the lens: the robot must not find its way\n"
     "  --floor       steer by millimeters, from eight marks on the floor as iris floor takes them\n"
+    "  --junction J  drive over one junction instead: t, left, right, y, or crossing, as --take says\n"
+    "  --take TURN   left, right, or straight: exit code 0 when the robot ends on that branch\n"
     "  --frames DIR  no drive: write 120 camera frames along the course, and where the tape is in them\n"
     "\n"
     "example: iris-demo --laps 3 --seed 7 --out /tmp/drive\n";
@@ -28,7 +31,7 @@ static const char HELP[] =
 typedef struct {
     int laps, quick, blank, floor;
     uint32_t seed;
-    const char *out, *frames;
+    const char *out, *frames, *junction, *take;
 } options;
 
 static int whole_number(long *number, const char *text, long low, long high)
@@ -63,6 +66,10 @@ static int read_options(options *o, int argc, char **argv)
             i++;
         } else if (strcmp(name, "--out") == 0 && *value) {
             o->out = argv[++i];
+        } else if (strcmp(name, "--junction") == 0 && *value) {
+            o->junction = argv[++i];
+        } else if (strcmp(name, "--take") == 0 && *value) {
+            o->take = argv[++i];
         } else if (strcmp(name, "--frames") == 0 && *value) {
             o->frames = argv[++i];
         } else {
@@ -169,6 +176,13 @@ int main(int argc, char **argv)
     int code = read_options(&o, argc, argv);
     if (code >= 0) {
         return code;
+    }
+    if (o.junction || o.take) {
+        code = sim_branch_drive(o.junction ? o.junction : "", o.take ? o.take : "", o.seed);
+        if (code < 0) {
+            fprintf(stderr, "iris-demo: --junction and --take: no such turn (--help tells more)\n");
+        }
+        return code < 0 ? 2 : !code;
     }
     sim_track_build(&track);
     sim_camera_init(&camera, o.seed);
