@@ -261,7 +261,7 @@ static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_imag
             const run piece = {n, r.exists, at.x_q16, at.y_q16, r.dx, r.dy};
             iris_place end = place_in(&piece, n - 1);
             if (!r.exists || is_outside(at, end, src)) {
-                memset(to, birdseye->window.fill, (size_t)(n * channels));
+                memset(to, birdseye->window.fill, (size_t)n * (size_t)channels);
             } else if (!is_inside(at, src) || !is_inside(end, src)) {
                 draw_edge(to, &piece, src, channels, birdseye->window.fill);
             } else {

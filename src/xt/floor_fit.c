@@ -3,10 +3,9 @@
 
 #define UNKNOWNS 8
 #define ROUNDS   10
-#define THIN                                                                                                 \
-    4096 /* marks are in line when their variance across is below 1/4096 of that along: 1/64 in width */
-#define W_LEAST  1048576             /* 2^-12: so much nearer than the marks' mean may a mark be */
-#define SINGULAR 4096                /* 2^-20 */
+#define THIN     4096    /* in line: a variance across of 1/4096 of that along, or less; 1/64 in width */
+#define W_LEAST  1048576 /* 2^-12: so much nearer than the marks' mean may a mark be */
+#define SINGULAR 4096    /* 2^-20 */
 #define FAR      ((iris_q32)1 << 42) /* 1024: so far from the picture's marks no mark is put */
 
 /* Centered at `middle` and at most 1 in both directions. */

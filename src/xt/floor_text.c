@@ -20,14 +20,10 @@ static uint32_t check_of(iris_size size, const iris_q32 m[9])
     return sum;
 }
 
-static char *put_text(char *at, const char *text)
+static char *put_bytes(char *at, const char *text, size_t bytes)
 {
-    size_t length = 0;
-    while (text[length]) {
-        length++;
-    }
-    memcpy(at, text, length);
-    return at + length;
+    memcpy(at, text, bytes);
+    return at + bytes;
 }
 
 static char *put_number(char *at, int64_t value, char behind)
@@ -59,14 +55,14 @@ iris_status iris_floor_write_text(char *text, size_t capacity, size_t *length, c
         return IRIS_ERR_RANGE;
     }
     char made[IRIS_FLOOR_TEXT_BYTES];
-    char *at = put_text(made, "iris floor 1\nsize ");
+    char *at = put_bytes(made, "iris floor 1\nsize ", sizeof "iris floor 1\nsize " - 1);
     at = put_number(at, good.size.w, ' ');
     at = put_number(at, good.size.h, '\n');
-    at = put_text(at, "image_from_floor_q32\n");
+    at = put_bytes(at, "image_from_floor_q32\n", sizeof "image_from_floor_q32\n" - 1);
     for (int i = 0; i < 9; i++) {
         at = put_number(at, good.to_image_q32[i], i % 3 == 2 ? '\n' : ' ');
     }
-    at = put_text(at, "check ");
+    at = put_bytes(at, "check ", sizeof "check " - 1);
     uint32_t check = check_of(good.size, good.to_image_q32);
     for (int shift = 28; shift >= 0; shift -= 4) {
         *at++ = hex[check >> shift & 15];
