@@ -168,7 +168,7 @@ static int64_t within(int64_t value, int32_t first, int32_t count)
     return value < low ? low : value > high ? high : value;
 }
 
-/* A thing that is much larger than the object: the part of it where the object should be. Its own pixels around it draw it
+/* A thing that is much larger than the object: the part of it where the object should be. The pixels around it draw it
  * away, so that only half of what they say is believed. */
 static iris_lock_thing part_of(const iris_lock *lock, const iris_lock_view *view,
                                const iris_lock_thing *thing)
@@ -341,13 +341,51 @@ static void look_for(iris_lock_result *result, iris_lock *lock, iris_lock_view *
     }
 }
 
+/* Is the object where it can be told from all else? */
+static int is_clear(const iris_lock *lock, iris_lock_view *view)
+{
+    iris_lock_cost cost = {0, 0, 0, 0};
+    const int32_t best = choose(&cost, lock, view);
+    return best >= 0 && !view->things[best].is_part &&
+           cost.place + cost.size + cost.color + cost.stranger < IRIS_LOCK_COST_MOST;
+}
+
+/* Looks again without the colors that have too many pixels, when the object is not clear with them. If that does not
+ * help, all is as it was. */
+static iris_status look_clearer(iris_lock_view *view, iris_lock *lock, const iris_image *frame,
+                                iris_scratch *scratch)
+{
+    const uint32_t bit = 1u << lock->which;
+    const int32_t most = lock->area < 40000 ? lock->area * 3 / 2 + 8 : 65534;
+    const size_t mark = iris_scratch_mark(scratch);
+    uint8_t *kept = (uint8_t *)iris_scratch_take(scratch, IRIS_SIGNATURE_KEPT_BYTES);
+    const size_t behind = iris_scratch_mark(scratch);
+    iris_status status = kept ? iris_lock_look(view, lock, frame, scratch) : IRIS_ERR_SCRATCH;
+    int32_t cleared = 0;
+    if (status != IRIS_OK || lock->seen < 2 || is_lost(lock) || is_clear(lock, view)) {
+        return status;
+    }
+    iris_scratch_release(scratch, behind);
+    iris_signature_keep(kept, lock->signatures, bit);
+    status =
+        iris_signature_thin(&cleared, lock->signatures, bit, &(iris_signature_crowd){frame, most}, scratch);
+    status = status == IRIS_OK ? iris_lock_look(view, lock, frame, scratch) : status;
+    if (status == IRIS_OK && cleared > 0 && !is_clear(lock, view)) {
+        iris_signature_restore(lock->signatures, bit, kept);
+        iris_scratch_release(scratch, mark);
+        (void)iris_scratch_take(scratch, IRIS_SIGNATURE_KEPT_BYTES);
+        status = iris_lock_look(view, lock, frame, scratch);
+    }
+    return status;
+}
+
 iris_status iris_lock_frame(iris_lock_result *result, iris_lock *lock, const iris_image *frame,
                             iris_scratch *scratch)
 {
     iris_lock_view view;
     iris_status status = check(result, lock, frame, scratch);
+    const int learns = status == IRIS_OK && lock->is_taught && lock->config.adapt;
     if (status == IRIS_OK) {
-        int learns = lock->is_taught && lock->config.adapt;
         status = ask(scratch, learns ? IRIS_LOCK_SCRATCH_BYTES(frame->w, frame->h)
                                      : IRIS_LOCK_LOOK_BYTES(frame->w, frame->h));
     }
@@ -356,7 +394,7 @@ iris_status iris_lock_frame(iris_lock_result *result, iris_lock *lock, const iri
     }
     int32_t cost = 0;
     size_t mark = iris_scratch_mark(scratch);
-    status = iris_lock_look(&view, lock, frame, scratch);
+    status = learns ? look_clearer(&view, lock, frame, scratch) : iris_lock_look(&view, lock, frame, scratch);
     if (status == IRIS_OK) {
         look_for(result, lock, &view, &cost);
     }

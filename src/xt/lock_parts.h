@@ -28,7 +28,7 @@ typedef struct {
 iris_status iris_lock_look(iris_lock_view *view, const iris_lock *lock, const iris_image *frame,
                            iris_scratch *scratch);
 
-/* Makes things of the blobs: each with those around it, the nearest first, as long as all of them fit into this size. */
+/* Makes things of the blobs: each with those around it, the nearest first, while all of them fit into this size. */
 void iris_lock_group(iris_lock_view *view, iris_size most);
 
 /* The selected pixels in a window of this size around the center of `thing`, and then around theirs. Its color stays.

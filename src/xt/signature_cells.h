@@ -48,8 +48,8 @@ static inline int32_t iris_signature_cell_of_rgb(int32_t r, int32_t g, int32_t b
     return iris_signature_cell(c.y, iris_signature_step[c.u + 128], iris_signature_step[c.v + 128]);
 }
 
-/* A color of a cell: `along` of y, u, and v is 0 to 4, the place between first and last in quarters. What is no color is
- * limited to one, and *is_color, unless null, 0. */
+/* A color of a cell: `along` of y, u, and v is 0 to 4, the place between first and last in quarters.
+ * What is no color is limited to one, and *is_color, unless null, 0. */
 iris_color iris_signature_color_of(int32_t cell, iris_signature_yuv along, int *is_color);
 
 /* Pixels whose cells are looked up at a time: whole words of a mask, and an even number. */
@@ -66,10 +66,25 @@ typedef struct {
 } iris_signature_scene;
 
 /* As iris_signature_teach, but not far from an earlier lesson (when there is one): hue within 20 degrees of its range,
- * lightness from half to one and a half times of it, no cells outside of the range; and not at all when less than half of the
- * object stands out, when it has turned gray, or from gray to colored, or when much more of what is around it would
- * have the signature than in the earlier lesson: IRIS_ERR_DATA then, and nothing has changed. */
+ * lightness from half to one and a half times of it, no cells outside of the range; and not at all when less than half
+ * of the object stands out, when it has turned gray, or from gray to colored, or when much more of what is around it
+ * would have the signature than in the earlier lesson: IRIS_ERR_DATA then, and nothing has changed. */
 iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures *signatures, int32_t which,
                                  const iris_signature_scene *scene, iris_scratch *scratch);
+
+/* A signature, and one as it was: a bit for each cell. */
+#define IRIS_SIGNATURE_KEPT_BYTES (IRIS_SIGNATURE_CELLS / 8 + 1)
+void iris_signature_keep(uint8_t *kept, const iris_signatures *signatures, uint32_t bit);
+void iris_signature_restore(iris_signatures *signatures, uint32_t bit, const uint8_t *kept);
+
+typedef struct {
+    const iris_image *image;
+    int32_t most; /* pixels, up to 65534 */
+} iris_signature_crowd;
+
+/* Takes the cells from a signature that have more pixels of a picture than the object can have; *cleared: how many. 
+ * Takes 2 bytes for each cell. */
+iris_status iris_signature_thin(int32_t *cleared, iris_signatures *signatures, uint32_t bit,
+                                const iris_signature_crowd *crowd, iris_scratch *scratch);
 
 #endif

@@ -261,21 +261,6 @@ static void write_cells(iris_signatures *signatures, uint32_t bit, const pupil *
     }
 }
 
-/* The signature as it was, a bit for each cell; taken back when `restore`. */
-static void keep_cells(uint8_t *kept, iris_signatures *signatures, uint32_t bit, int restore)
-{
-    for (int32_t cell = 0; cell < IRIS_SIGNATURE_CELLS; cell++) {
-        const uint32_t at = 1u << cell % 8;
-        if (!restore) {
-            uint32_t has = (signatures->cells[cell] & bit) != 0 ? at : 0;
-            kept[cell / 8] = (uint8_t)((kept[cell / 8] & ~at) | has);
-        } else {
-            uint32_t had = (kept[cell / 8] & at) != 0 ? bit : 0;
-            signatures->cells[cell] = (uint8_t)((signatures->cells[cell] & ~bit) | had);
-        }
-    }
-}
-
 static void count_those_that_have(pupil *job, kind k, int32_t cell, const uint8_t *rgb)
 {
     (void)rgb;
@@ -363,7 +348,7 @@ iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures 
     size_t start = iris_scratch_mark(scratch);
     job.evidence = (int16_t *)iris_scratch_take(scratch, sizeof *job.evidence * IRIS_SIGNATURE_CELLS);
     job.is = (tally *)iris_scratch_take(scratch, sizeof *job.is);
-    uint8_t *kept = (uint8_t *)iris_scratch_take(scratch, IRIS_SIGNATURE_CELLS / 8 + 1);
+    uint8_t *kept = (uint8_t *)iris_scratch_take(scratch, IRIS_SIGNATURE_KEPT_BYTES);
     if (!job.evidence || !job.is || !kept) {
         iris_scratch_release(scratch, start);
         return IRIS_ERR_SCRATCH;
@@ -374,11 +359,11 @@ iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures 
     look_at(&result, &job);
     iris_status status = scene->near && !keep_near(&result, &job, scene->near) ? IRIS_ERR_DATA : IRIS_OK;
     if (status == IRIS_OK) {
-        keep_cells(kept, signatures, job.bit, 0);
+        iris_signature_keep(kept, signatures, job.bit);
         write_cells(signatures, job.bit, &job, &result, scene->near != NULL);
         measure(&result, &job);
         if (scene->near && result.elsewhere_permil > 2 * scene->near->elsewhere_permil + 2) {
-            keep_cells(kept, signatures, job.bit, 1);
+            iris_signature_restore(signatures, job.bit, kept);
             status = IRIS_ERR_DATA;
         }
     }

@@ -241,6 +241,26 @@ static void before_its_own_color(void **state)
     }
 }
 
+/* The light gets warm, step by step, until the room has the color that the object had: the object is told from it
+ * still. */
+static void the_room_takes_its_color(void **state)
+{
+    (void)state;
+    begin(NULL);
+    for (int32_t t = 0; t < 12; t++) {
+        int32_t x = 40 + 4 * t;
+        draw_room(100);
+        draw_disc(x, 60, 8, (iris_color){120, 90, 75}, 100); /* a pale brown */
+        for (int32_t i = 0; i < W * H; i++) {
+            pixels[3 * i] = (uint8_t)(pixels[3 * i] + pixels[3 * i] * 3 * t / 100);
+            pixels[3 * i + 2] = (uint8_t)(pixels[3 * i + 2] - pixels[3 * i + 2] * 3 * t / 100);
+        }
+        t == 0 ? teach(x, 60, 8) : look();
+        assert_found_at(x, 60, 2);
+        assert_int_equal(seen.id, 1);
+    }
+}
+
 static void gone_means_lost(void **state)
 {
     (void)state;
@@ -432,6 +452,7 @@ int main(void)
         cmocka_unit_test(jumps_anywhere),
         cmocka_unit_test(in_pieces),
         cmocka_unit_test(before_its_own_color),
+        cmocka_unit_test(the_room_takes_its_color),
         cmocka_unit_test(gone_means_lost),
         cmocka_unit_test(another_one_is_another),
         cmocka_unit_test(long_gone_is_forgotten),

@@ -1,5 +1,5 @@
-/* Color signatures and locking on: the thrown ball, taught well and less well; rendered sequences in which the place of the ball
- * is known; and where there is nothing of the color. All with the defaults. */
+/* Color signatures and locking on: the thrown ball, taught well and less well; rendered sequences in which the place
+ * of the ball is known; and where there is nothing of the color. All with the defaults. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -28,7 +28,8 @@ typedef struct {
     double visible; /* share of it, 0 to 1 */
 } scene_truth;
 
-/* Frame 0 to SCENE_FRAMES - 1 of a sequence, always the same for the same seed; image: IRIS_RGB888, SCENE_W x SCENE_H. */
+/* Frame 0 to SCENE_FRAMES - 1 of a sequence, always the same for the same seed; image: IRIS_RGB888, SCENE_W x SCENE_H.
+ * */
 scene_truth scene_frame(const iris_image *image, scene_kind kind, unsigned seed, int frame);
 
 #endif

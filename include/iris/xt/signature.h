@@ -2,12 +2,12 @@
  *
  * A table of 4 KB has a byte for each of 3969 cells of the color space, and bit k of it says that colors of this cell
  * belong to signature k. A pixel then costs a look-up, whatever its signature looks like: a range of hue, saturation,
- * and lightness, or anything that was learned from a picture. The cells are of YUV (BT.601, limited range, as in color.h),
- * so that pixels of YUYV are looked up as they are, and those of RGB after nine multiplications: 21 steps each of U and V,
- * narrow near gray, where the colors of real scenes are, and 9 of Y.
+ * and lightness, or anything that was learned from a picture. The cells are of YUV (BT.601, limited range, as in
+ * color.h), so that pixels of YUYV are looked up as they are, and those of RGB after nine multiplications: 21 steps
+ * each of U and V, narrow near gray, where the colors of real scenes are, and 9 of Y.
  *
- * A cell is all or nothing: compared with the exact test of color.h (iris_hsl_range_has) pixels at the range's border may
- * be on the wrong side. Report, section 2.6.
+ * A cell is all or nothing: compared with the exact test of color.h (iris_hsl_range_has) pixels at the range's border
+ * may be on the wrong side. Report, section 2.6.
  */
 #ifndef IRIS_XT_SIGNATURE_H
 #define IRIS_XT_SIGNATURE_H
@@ -44,8 +44,8 @@ typedef struct {
 iris_status iris_signature_clear(iris_signatures *signatures, int32_t which);
 
 /* Signature `which` becomes this range: the cells of which at least half is in it, as far as eight points of each tell.
- * IRIS_ERR_ARG: null pointer, or a bound outside its range; IRIS_ERR_RANGE: which. O(cells): about a million
- * instructions. */
+ * IRIS_ERR_ARG: null pointer, or a bound outside its range; IRIS_ERR_RANGE: which. O(cells): nine million
+ * instructions on a Cortex-M4. */
 iris_status iris_signature_from_range(iris_signatures *signatures, int32_t which,
                                       const iris_hsl_range *range);
 
@@ -61,7 +61,8 @@ iris_status iris_signature_from_range(iris_signatures *signatures, int32_t which
  *      the object each. When less than a fifth of the object stands out from what is around it, evidence is not asked.
  * lesson may be null.
  * IRIS_ERR_ARG: null pointer or invalid image; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: which, or rect is empty or not wholly
- * inside; IRIS_ERR_SCRATCH: IRIS_SIGNATURE_SCRATCH_BYTES. O(w h + cells). */
+ * inside; IRIS_ERR_SCRATCH: IRIS_SIGNATURE_SCRATCH_BYTES. O(w h + cells): seven million instructions on a
+ * Cortex-M4 for 160x120. */
 #define IRIS_SIGNATURE_SCRATCH_BYTES                                                                         \
     (IRIS_SCRATCH_ROUND(2 * IRIS_SIGNATURE_CELLS) + IRIS_SCRATCH_ROUND(4 * 542) +                            \
      IRIS_SCRATCH_ROUND(IRIS_SIGNATURE_CELLS / 8 + 1))
@@ -71,7 +72,7 @@ iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures 
 /* All signatures in one pass: a byte for each pixel, bit k set when it has the color of signature k. dst is
  * IRIS_GRAY8, src of any format that iris_color_takes, and they are disjoint, or the same when src is IRIS_GRAY8, too.
  * IRIS_ERR_ARG: null pointer or invalid view; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: sizes differ; IRIS_ERR_ALIAS.
- * O(w h). */
+ * O(w h): per pixel 43 instructions on a Cortex-M4 for RGB888, 23 for YUYV. */
 iris_status iris_signature_classify(const iris_image *dst, const iris_image *src,
                                     const iris_signatures *signatures);
 
