@@ -89,7 +89,7 @@ static iris_status check(const iris_image *mask, const iris_shape_sampling *c)
 /* Distances with so many fraction bits that the picture's width and height together fit in 16 bits. */
 static int fraction_bits(const iris_image *mask)
 {
-    int bits = 16;
+    int bits = 13; /* for a picture of one pixel */
     while ((int64_t)(mask->w + mask->h + 2) << bits >= IRIS_SHAPE_MISSING) {
         bits--;
     }
@@ -121,7 +121,7 @@ iris_status iris_shape_sample(uint16_t *distances, iris_shape_rays *rays, const 
     for (int32_t k = 0; k < c.samples; k++) {
         iris_angle angle = iris_angle_wrap((k * 65536 + c.samples / 2) / c.samples);
         int64_t distance_q16 = crossing(mask, &from, angle, c.crossing);
-        uint32_t distance = distance_q16 < 0 ? 0 : (uint32_t)(distance_q16 >> (16 - bits));
+        uint32_t distance = distance_q16 < 0 ? 0 : (uint32_t)iris_round_shift(distance_q16, 16 - bits);
         distances[k] = distance_q16 < 0 ? IRIS_SHAPE_MISSING : (uint16_t)distance;
         from.missing += distance_q16 < 0;
         longest = distance > longest ? distance : longest;
