@@ -164,7 +164,7 @@ iris_shape_likeness iris_shape_heights_compare(const iris_shape_memory *memory, 
         int32_t least;
         int start = best_start(&least, memory->shape, heights);
         iris_q16 score = score_of(warp(memory->ways, memory->shape, heights, start), most);
-        if (score > best.score_q16) {
+        if (score > best.score_q16 + (other ? IRIS_SHAPE_MIRROR_LEAD_Q16 : 0)) {
             best = (iris_shape_likeness){score, turn_of(memory->ways, shape, model, start, other), other};
         }
     }

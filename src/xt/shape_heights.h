@@ -12,6 +12,10 @@ typedef struct {
     uint8_t *ways;                                /* IRIS_SHAPE_POINTS * (2 * IRIS_SHAPE_GIVE + 1) */
 } iris_shape_memory;
 
+/* A mirror image must be better by this much, 0.03: many things are nearly symmetric, and the angle of the one that is not
+ * mirrored is the one that is asked for. */
+#define IRIS_SHAPE_MIRROR_LEAD_Q16 2048
+
 typedef struct {
     iris_q16 score_q16;
     iris_angle angle;

@@ -42,10 +42,15 @@ static int is_plausible(const iris_shape *s)
 static iris_shape_likeness compare_rays(const iris_shape *shape, const iris_shape *model,
                                         const iris_shape_matching *config)
 {
-    iris_shape_correlation best = {0, 0, 0, 0, 0};
+    iris_shape_correlation best = {0, 0, 0, 0, 0}, plain = {0, 0, 0, 0, 0};
     iris_shape_tolerance tolerance = config->tolerance;
     tolerance.mirrored = config->mirrored;
     (void)iris_shape_correlate(&best, shape->rays, model->rays, IRIS_SHAPE_RAYS, &tolerance);
+    if (best.mirrored) {
+        tolerance.mirrored = 0;
+        (void)iris_shape_correlate(&plain, shape->rays, model->rays, IRIS_SHAPE_RAYS, &tolerance);
+        best = best.degree_q16 > plain.degree_q16 + IRIS_SHAPE_MIRROR_LEAD_Q16 ? best : plain;
+    }
     return (iris_shape_likeness){best.degree_q16, best.angle, best.mirrored};
 }
 

@@ -225,9 +225,10 @@ static void as_in_double_precision(void **state)
         double plain = score_slowly(0, a, b), mirrored = score_slowly(1, a, b);
         far += fabs(match(a, b, 1, &config).score_q16 / 65536.0 - plain) > 0.02;
         config.mirrored = 1;
-        far += fabs(match(a, b, 1, &config).score_q16 / 65536.0 - fmax(plain, mirrored)) > 0.02;
+        far += fabs(match(a, b, 1, &config).score_q16 / 65536.0 -
+                    (mirrored > plain + 0.03125 ? mirrored : plain)) > 0.02;
     }
-    assert_true(far <= 6);
+    assert_true(far <= 8);
 }
 
 static int leave_one_out(iris_shape_method method)

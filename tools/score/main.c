@@ -46,6 +46,7 @@ int main(int argc, char **argv)
     score_blur(&s);
     score_bmp(&s);
     score_skeleton(&s);
+    score_shapes(&s);
     score_quadtree(&s);
     score_edges(&s);
     score_blobs(&s);

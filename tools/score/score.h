@@ -40,6 +40,7 @@ void score_tone(score *s);
 void score_bmp(score *s);
 void score_blur(score *s);
 void score_skeleton(score *s);
+void score_shapes(score *s);
 void score_quadtree(score *s);
 void score_edges(score *s);
 void score_blobs(score *s);

@@ -157,7 +157,8 @@ typedef struct {
         score_q16; /* 0..1; 1: the same. Scores of different methods do not compare. Heights: 0 when they differ by as
                           * much as they vary along the outlines; rays: the degree of correlation */
     iris_angle angle; /* by which the model must be turned clockwise to lie like the shape */
-    int32_t mirrored; /* 1: after left and right of the model have been swapped */
+    int32_t
+        mirrored; /* 1: after left and right of the model have been swapped, which must be better by 0.03 */
 } iris_shape_found;
 
 /* Working memory of a match: 5 KB. */
