@@ -202,23 +202,23 @@ iris_status iris_moments_invariants(iris_invariants *invariants, const iris_mask
     }
     near_sums s = about_center(moments);
     int64_t n = s.area;
-    iris_invariants v = {.x_q16 = (iris_q16)((moments->m10 * 65536 + n / 2) / n),
-                         .y_q16 = (iris_q16)((moments->m01 * 65536 + n / 2) / n),
-                         .mu20_q6 = mu_second(&s, 0, 0),
-                         .mu11_q6 = mu_second(&s, 0, 1),
-                         .mu02_q6 = mu_second(&s, 1, 1),
-                         .mu30_q6 = mu_third(&s, 0, 0, 0),
-                         .mu21_q6 = mu_third(&s, 0, 0, 1),
-                         .mu12_q6 = mu_third(&s, 0, 1, 1),
-                         .mu03_q6 = mu_third(&s, 1, 1, 1)};
-    v.eta20_q40 = eta_second(v.mu20_q6, n);
-    v.eta11_q40 = eta_second(v.mu11_q6, n);
-    v.eta02_q40 = eta_second(v.mu02_q6, n);
-    v.eta30_q40 = eta_third(v.mu30_q6, n);
-    v.eta21_q40 = eta_third(v.mu21_q6, n);
-    v.eta12_q40 = eta_third(v.mu12_q6, n);
-    v.eta03_q40 = eta_third(v.mu03_q6, n);
-    set_hu(v.hu_q40, &v);
-    *invariants = v;
+    iris_invariants *v = invariants;
+    v->x_q16 = (iris_q16)((moments->m10 * 65536 + n / 2) / n);
+    v->y_q16 = (iris_q16)((moments->m01 * 65536 + n / 2) / n);
+    v->mu20_q6 = mu_second(&s, 0, 0);
+    v->mu11_q6 = mu_second(&s, 0, 1);
+    v->mu02_q6 = mu_second(&s, 1, 1);
+    v->mu30_q6 = mu_third(&s, 0, 0, 0);
+    v->mu21_q6 = mu_third(&s, 0, 0, 1);
+    v->mu12_q6 = mu_third(&s, 0, 1, 1);
+    v->mu03_q6 = mu_third(&s, 1, 1, 1);
+    v->eta20_q40 = eta_second(v->mu20_q6, n);
+    v->eta11_q40 = eta_second(v->mu11_q6, n);
+    v->eta02_q40 = eta_second(v->mu02_q6, n);
+    v->eta30_q40 = eta_third(v->mu30_q6, n);
+    v->eta21_q40 = eta_third(v->mu21_q6, n);
+    v->eta12_q40 = eta_third(v->mu12_q6, n);
+    v->eta03_q40 = eta_third(v->mu03_q6, n);
+    set_hu(v->hu_q40, v);
     return IRIS_OK;
 }

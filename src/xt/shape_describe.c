@@ -9,13 +9,15 @@
 #define DIAGONAL_Q8  362 /* the root of 2 */
 #define ROOT_MAX_Q20 ((int64_t)1024 << 20)
 
-/* An outline, and the points along it in pixels with 8 fraction bits. */
+/* An outline, and the points along it, in the description itself: pixels with so many fraction bits that the mask's sides
+ * fit in 15 bits. */
 typedef struct {
     const iris_image *mask;
     iris_image area; /* what it encloses, in working memory */
     iris_contour_side start;
     int64_t length_q8;
-    int32_t x_q8[POINTS], y_q8[POINTS];
+    int16_t *x, *y;
+    int bits;
 } outline;
 
 static int64_t step_q8(int turn)
@@ -66,8 +68,8 @@ static void spread_points(outline *o)
         while (made < POINTS && made * o->length_q8 < (gone_q8 + step) * POINTS) {
             int64_t part_q8 = ((made * o->length_q8 - gone_q8 * POINTS) * 256 / POINTS) / step;
             int32_t index = backwards ? (POINTS - made) % POINTS : made;
-            o->x_q8[index] = (int32_t)(x * 256 + (to_x - x) * part_q8);
-            o->y_q8[index] = (int32_t)(y * 256 + (to_y - y) * part_q8);
+            o->x[index] = (int16_t)iris_round_shift(x * 256 + (to_x - x) * part_q8, 8 - o->bits);
+            o->y[index] = (int16_t)iris_round_shift(y * 256 + (to_y - y) * part_q8, 8 - o->bits);
             made++;
         }
         gone_q8 += step;
@@ -77,26 +79,30 @@ static void spread_points(outline *o)
 /* The largest distance of two points, with 8 fraction bits. */
 static uint32_t diameter_of(const outline *o)
 {
-    uint64_t most = 0;
+    uint32_t most = 0;
     for (int i = 0; i < POINTS; i++) {
         for (int k = 0; k < i; k++) {
-            int64_t dx = o->x_q8[i] - o->x_q8[k], dy = o->y_q8[i] - o->y_q8[k];
-            uint64_t square = (uint64_t)(dx * dx + dy * dy);
+            int32_t dx = o->x[i] - o->x[k], dy = o->y[i] - o->y[k];
+            uint32_t square = (uint32_t)(dx * dx) + (uint32_t)(dy * dy); /* below 2^31 */
             most = square > most ? square : most;
         }
     }
-    return iris_sqrt_u64(most);
+    return iris_sqrt_u64((uint64_t)most << 2 * (8 - o->bits));
 }
 
-static void scale_axis(int16_t *to, const int32_t *from_q8, int64_t diameter_q8)
+/* About their mean, with diameter_q8 as IRIS_SHAPE_DIAMETER. */
+static void scale_axis(int16_t *axis, int bits, int64_t diameter_q8)
 {
-    int64_t sum = 0;
+    int32_t sum = 0;
     for (int i = 0; i < POINTS; i++) {
-        sum += from_q8[i];
+        sum += axis[i];
     }
     for (int i = 0; i < POINTS; i++) {
-        int64_t scaled = ((int64_t)from_q8[i] * POINTS - sum) * IRIS_SHAPE_DIAMETER;
-        to[i] = (int16_t)(scaled / (diameter_q8 * POINTS));
+        int64_t scaled = ((int64_t)axis[i] * POINTS - sum) * (IRIS_SHAPE_DIAMETER << (8 - bits));
+        int32_t to = (int32_t)(scaled / (diameter_q8 * POINTS));
+        axis[i] = (int16_t)(to > IRIS_SHAPE_DIAMETER    ? IRIS_SHAPE_DIAMETER
+                            : to < -IRIS_SHAPE_DIAMETER ? -IRIS_SHAPE_DIAMETER
+                                                        : to);
     }
 }
 
@@ -146,13 +152,19 @@ static void cut_holes(const outline *o)
 static void describe(iris_shape *shape, outline *o)
 {
     fill(o);
+    o->x = shape->x;
+    o->y = shape->y;
+    o->bits = 7;
+    while ((o->mask->w | o->mask->h) << o->bits >= 65536 / 2) {
+        o->bits--;
+    }
     spread_points(o);
     uint32_t diameter_q8 = diameter_of(o);
     diameter_q8 += diameter_q8 == 0;
     shape->class_index = 0;
     shape->diameter_q16 = iris_sat_s32((int64_t)diameter_q8 * 256);
-    scale_axis(shape->x, o->x_q8, diameter_q8);
-    scale_axis(shape->y, o->y_q8, diameter_q8);
+    scale_axis(shape->x, o->bits, diameter_q8);
+    scale_axis(shape->y, o->bits, diameter_q8);
     set_moments(shape, &o->area);
     if (o->start.way == 0) {
         cut_holes(o);
