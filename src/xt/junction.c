@@ -107,13 +107,6 @@ static iris_graph_point middle_of(const iris_graph *g, int32_t node)
     return (iris_graph_point){(int16_t)((x + count / 2) / count), (int16_t)((y + count / 2) / count)};
 }
 
-/* Does the way lead out of the node? */
-static int leaves(const iris_graph *g, const iris_graph_way *way, int32_t node)
-{
-    return way->from >= 0 && g->forks[way->from].node == node &&
-           !(way->to >= 0 && g->forks[way->to].node == node && iris_graph_is_hole(g, way));
-}
-
 static void look_at_node(iris_junction_search *search, int32_t node)
 {
     iris_junction_arm arms[IRIS_JUNCTION_BRANCHES], arm;
@@ -126,7 +119,7 @@ static void look_at_node(iris_junction_search *search, int32_t node)
         return;
     }
     for (int32_t i = 0; i < g->way_count; i++) {
-        if (!leaves(g, &g->ways[i], node)) {
+        if (!iris_graph_leaves(g, &g->ways[i], node)) {
             continue;
         }
         iris_graph_walk(g, &g->ways[i]);
@@ -279,7 +272,7 @@ static void search_part(iris_junction_search *search, int32_t part)
     for (int32_t i = 0; i < g->way_count; i++) {
         const iris_graph_way *way = &g->ways[i];
         if (way->from >= 0 && g->forks[way->from].part == part && !is_second(way) &&
-            leaves(g, way, g->forks[way->from].node)) {
+            iris_graph_leaves(g, way, g->forks[way->from].node)) {
             iris_graph_walk(g, way);
             iris_junction_corners(search, 1, way->to >= 0);
         }

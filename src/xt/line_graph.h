@@ -8,7 +8,7 @@
 #include "skeleton_parts.h"
 
 #define IRIS_GRAPH_FORKS 96  /* branch points that are kept, those nearest to the bottom */
-#define IRIS_GRAPH_WAYS 160 /* ways that are kept */
+#define IRIS_GRAPH_WAYS  160 /* ways that are kept */
 
 typedef struct {
     int16_t x, y;
@@ -71,6 +71,13 @@ static inline int iris_graph_is_hole(const iris_graph *g, const iris_graph_way *
 {
     int32_t a = g->forks[way->from].radius, b = g->forks[way->to].radius;
     return way->length <= 10 * (a > b ? a : b) + 4;
+}
+
+/* Does the way lead out of the node? The sides of a hole do not. */
+static inline int iris_graph_leaves(const iris_graph *g, const iris_graph_way *way, int32_t node)
+{
+    return way->from >= 0 && g->forks[way->from].node == node &&
+           !(way->to >= 0 && g->forks[way->to].node == node && iris_graph_is_hole(g, way));
 }
 
 int32_t iris_graph_radius(const iris_image *mask, int32_t x, int32_t y);

@@ -4,6 +4,7 @@
 #include "calls.h"
 #include "iris/xt/junction_latch.h"
 #include "iris/xt/line_mask.h"
+#include "iris/xt/paths.h"
 
 static void line_mask(void)
 {
@@ -94,8 +95,63 @@ static void latch_update(void)
     CALL(iris_junction_latch_update(line, latch, given, count, elapsed_ms));
 }
 
+static iris_paths_config any_paths(void)
+{
+    return (iris_paths_config){draw_int(0, 1000), draw_int(1000, 100000), (iris_angle)draw_int(0, 8192),
+                               draw_int(0, 1), draw_int(50, 900)};
+}
+
+static void paths(void)
+{
+    iris_size size = draw_size();
+    const iris_image *mask = draw_input(IRIS_MASK1, size);
+    int32_t capacity = draw_within(-1, 5);
+    size_t room = capacity > 0 ? (size_t)capacity : 0;
+    iris_path *found = OR_NULL(draw_results(room * sizeof *found));
+    int32_t *count = OR_NULL(draw_results(sizeof *count));
+    iris_paths_config config = any_paths();
+    const iris_paths_config *given = OR_NULL(draw_given(&config, sizeof config));
+    iris_scratch *scratch = draw_scratch(IRIS_PATHS_SCRATCH_BYTES(size.w, size.h));
+    CALL(iris_paths_find(found, capacity, count, mask, given, scratch));
+}
+
+/* A picture of four blocks, the first the floor. */
+static void paths_of_regions(void)
+{
+    iris_quadtree_leaf leaves[4];
+    iris_region regions[4];
+    int32_t labels[4], side = draw_within(1, 40), far = draw_within(1, 40), capacity = draw_within(-1, 3);
+    for (int i = 0; i < 4; i++) {
+        uint8_t level = (uint8_t)draw_below(256);
+        leaves[i] =
+            (iris_quadtree_leaf){(uint16_t)(i * side), 0, (uint16_t)side, (uint16_t)far, {0, 0, 0}, 0};
+        regions[i] = (iris_region){{level, level, level}, side * far, 1, {0, 0, side, far}};
+        labels[i] = draw_within(-1, 4);
+    }
+    iris_quadtree tree = {.leaves = draw_given(leaves, sizeof leaves),
+                          .capacity = 4,
+                          .count = draw_chance(10) ? 3 : 4,
+                          .size = {4 * side, far},
+                          .format = IRIS_GRAY8};
+    iris_region_table table = {draw_given(regions, sizeof regions), 4, draw_given(labels, sizeof labels),
+                               draw_within(0, 5)};
+    size_t room = capacity > 0 ? (size_t)capacity : 0;
+    iris_path *found = OR_NULL(draw_results(room * sizeof *found));
+    int32_t *count = OR_NULL(draw_results(sizeof *count));
+    const iris_quadtree *given = OR_NULL(draw_given(&tree, sizeof tree));
+    const iris_region_table *of = OR_NULL(draw_given(&table, sizeof table));
+    iris_paths_config config = any_paths();
+    const iris_paths_config *by = OR_NULL(draw_given(&config, sizeof config));
+    CALL(iris_paths_of_regions(found, capacity, count, given, of, by));
+}
+
 const random_call calls_junction[] = {
-    {"iris_junction_latch_init", latch_init},     {"iris_junction_latch_take", latch_take},
-    {"iris_junction_latch_update", latch_update}, {"iris_line_mask", line_mask},
-    {"iris_junctions_find", junctions},           {NULL, NULL},
+    {"iris_paths_find", paths},
+    {"iris_paths_of_regions", paths_of_regions},
+    {"iris_junction_latch_init", latch_init},
+    {"iris_junction_latch_take", latch_take},
+    {"iris_junction_latch_update", latch_update},
+    {"iris_line_mask", line_mask},
+    {"iris_junctions_find", junctions},
+    {NULL, NULL},
 };

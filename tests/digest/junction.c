@@ -3,6 +3,7 @@
 #include "iris/xt/junction.h"
 #include "iris/xt/junction_latch.h"
 #include "iris/xt/line_mask.h"
+#include "iris/xt/paths.h"
 #include "iris/xt/threshold.h"
 
 #define W 48
@@ -88,9 +89,42 @@ static void latch(void)
     }
 }
 
+static void paths(void)
+{
+    iris_path found[4];
+    int32_t count = 0;
+    iris_image gray = digest_picture(IRIS_GRAY8, W, H), mask = digest_canvas(IRIS_MASK1, W, H);
+    iris_scratch scratch = digest_scratch(IRIS_PATHS_SCRATCH_BYTES(W, H));
+    const iris_paths_config config = {100, 1500, 5000, 0, 100};
+    (void)iris_threshold(&mask, &gray, 140, IRIS_SELECT_BRIGHT);
+    digest_number(iris_paths_find(found, 4, &count, &mask, &config, &scratch));
+    digest_number(count);
+    digest_bytes(found, (size_t)(count < 4 ? count : 4) * sizeof found[0]);
+}
+
+/* A floor, two upright lines on it, and a square. */
+static void paths_by_blocks(void)
+{
+    iris_path found[4];
+    iris_quadtree_leaf leaves[5] = {{0, 0, 20, 64, {200, 200, 200}, 0},
+                                    {20, 0, 4, 64, {50, 50, 50}, 0},
+                                    {24, 0, 8, 64, {200, 200, 200}, 0},
+                                    {32, 0, 3, 64, {70, 70, 70}, 0},
+                                    {35, 0, 64, 64, {60, 60, 60}, 0}};
+    iris_region regions[4] = {{{200, 200, 200}, 1792, 2, {0, 0, 32, 64}},
+                              {{60, 60, 60}, 4096, 1, {35, 0, 64, 64}},
+                              {{50, 50, 50}, 256, 1, {20, 0, 4, 64}},
+                              {{70, 70, 70}, 192, 1, {32, 0, 3, 64}}};
+    int32_t labels[5] = {0, 2, 0, 3, 1}, count = 0;
+    iris_quadtree tree = {leaves, 5, 5, 5, 0, 1, {99, 64}, IRIS_GRAY8};
+    iris_region_table table = {regions, 4, labels, 4};
+    digest_number(iris_paths_of_regions(found, 4, &count, &tree, &table, NULL));
+    digest_number(count);
+    digest_bytes(found, (size_t)count * sizeof found[0]);
+}
+
 const digest_operation digest_junction[] = {
-    {"junction.latch", latch},
-    {"junction.crossing", crossing},
-    {"junction.anything", anything},
-    {NULL, NULL},
+    {"junction.paths", paths},       {"junction.paths_by_blocks", paths_by_blocks},
+    {"junction.latch", latch},       {"junction.crossing", crossing},
+    {"junction.anything", anything}, {NULL, NULL},
 };

@@ -2,6 +2,7 @@
 
 #include "iris/xt/junction.h"
 #include "iris/xt/line_mask.h"
+#include "iris/xt/paths.h"
 
 static iris_status line_mask(void)
 {
@@ -14,6 +15,13 @@ static iris_status junctions(void)
     int32_t count;
     return iris_junctions_find(found, IRIS_JUNCTIONS_MAX, &count, &bench_frame.mask, NULL,
                                &bench_frame.scratch);
+}
+
+static iris_status paths(void)
+{
+    iris_path found[4];
+    int32_t count;
+    return iris_paths_find(found, 4, &count, &bench_frame.mask, NULL, &bench_frame.scratch);
 }
 
 /* A bar across the frame, a tenth of its height. */
@@ -32,5 +40,6 @@ const bench_case bench_junction[] = {
     {"line mask", line_mask, NULL},
     {"junctions of a line", junctions, NULL},
     {"junctions of a crossing", junctions, bar},
+    {"paths of a crossing", paths, bar},
     {0},
 };

@@ -55,6 +55,7 @@ int main(int argc, char **argv)
     score_floor(&s);
     score_lines(&s);
     score_junctions(&s);
+    score_paths(&s);
     score_lock(&s);
     score_cost(&s);
     score_totals(&s);

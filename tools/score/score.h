@@ -49,6 +49,7 @@ void score_shapes_found(score *s);
 void score_floor(score *s);
 void score_lines(score *s);
 void score_junctions(score *s);
+void score_paths(score *s);
 void score_lock(score *s);
 void score_cost(score *s);
 

@@ -1,7 +1,7 @@
 /* IRIS-XT - line masks: which pixels are line, and which are floor?
  *
  * From IRIS_GRAY8 to IRIS_MASK1 of the same size, for everything that looks at the shape of lines on a floor: junctions
- * (junction.h), skeletons. The light may be uneven, lines may lie in any direction and cross
+ * (junction.h), several lines (paths.h), skeletons. The light may be uneven, lines may lie in any direction and cross
  * the whole picture, and how dark they are need not be known.
  *
  * How: the floor is the mean of each block of pixels (a fifteenth of the shorter side), with dark valleys narrower than
