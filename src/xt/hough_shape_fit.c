@@ -198,6 +198,11 @@ static int64_t collect(equations *e, const iris_hough_shape_place *place, const 
     return weights;
 }
 
+static int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
 static void move(iris_hough_shape_place *place, const iris_hough_shape *shape,
                  const int32_t solution[UNKNOWNS])
 {
@@ -205,9 +210,8 @@ static void move(iris_hough_shape_place *place, const iris_hough_shape *shape,
     int32_t radius_q4 = (int32_t)((int64_t)shape->reach_q4 * place->scale_q16 >> 16) + 1;
     int64_t angle = (int64_t)solution[2] * 16 / radius_q4 * 10430 / 65536;
     int64_t scale = place->scale_q16 + (int64_t)place->scale_q16 * solution[3] / radius_q4 / 4096;
-    int32_t beyond =
-        c->scale_step_q16 / 2 < c->scale_max_q16 / 8 ? c->scale_step_q16 / 2 : c->scale_max_q16 / 8;
-    int32_t least = c->scale_min_q16 - beyond, most = c->scale_max_q16 + beyond;
+    int32_t least = c->scale_min_q16 - smaller(c->scale_step_q16 / 2, c->scale_min_q16 / 8);
+    int32_t most = c->scale_max_q16 + smaller(c->scale_step_q16 / 2, c->scale_max_q16 / 8);
     place->x_q16 = limit(iris_add_sat(place->x_q16, solution[0]), 0, (shape->size.w - 1) * 65536);
     place->y_q16 = limit(iris_add_sat(place->y_q16, solution[1]), 0, (shape->size.h - 1) * 65536);
     place->angle = iris_angle_wrap(place->angle + (int32_t)limit((int32_t)angle, -16384, 16384));

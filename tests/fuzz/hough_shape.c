@@ -62,10 +62,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
         mend(table, bytes - 8);
     }
     iris_hough_shape_defaults(&config);
-    config.angle_step = 8192 << (data[0] >> 1 & 3);
+    config.angle_step = 32768;
+    config.polarity = (iris_hough_shape_polarity)(data[0] >> 1 & 1);
     config.scale_min_q16 = 6554 + data[1] * 1024;
     config.scale_max_q16 = config.scale_min_q16 + data[2] * 512;
-    config.scale_step_q16 = 60000;
+    config.scale_step_q16 = 100000;
     config.cell = 1 << data[3] % 6;
     config.min_score = 1 + data[4];
     iris_size size = {1 + data[5], 1 + data[6]};
@@ -74,14 +75,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
                                       (iris_angle)(i * 1999)};
     }
     config.points = POINTS;
-    size_t room = IRIS_HOUGH_SHAPE_SCRATCH_BYTES(256, 256, 1, IRIS_HOUGH_SHAPE_ENTRIES_MAX, POINTS);
-    void *memory = aligned_alloc(16, room);
+    static IRIS_SCRATCH_BUFFER(
+        working, IRIS_HOUGH_SHAPE_SCRATCH_BYTES(256, 256, 1, IRIS_HOUGH_SHAPE_ENTRIES_MAX, POINTS));
     iris_scratch scratch;
-    iris_scratch_init(&scratch, memory, room);
+    iris_scratch_init(&scratch, working.memory, sizeof working.memory);
     if (iris_hough_shape_begin(&shape, table, bytes - 8, size, &config, &scratch) == IRIS_OK) {
         iris_hough_shape_find(found, 3, &count, &shape, points, POINTS);
     }
-    free(memory);
     free(table);
     return 0;
 }

@@ -85,7 +85,8 @@ static int32_t find(iris_hough_shape_config config)
     iris_scratch scratch = arena(bytes);
     assert_int_equal(iris_hough_shape_begin(&shape, table, table_bytes, size, &config, &scratch), IRIS_OK);
     assert_int_equal(scratch.used, bytes);
-    assert_int_equal(iris_hough_shape_find(found, 8, &count, &shape, points, point_count), IRIS_OK);
+    iris_status status = iris_hough_shape_find(found, 8, &count, &shape, points, point_count);
+    assert_int_equal(status, count > 8 ? IRIS_ERR_FULL : IRIS_OK);
     return count;
 }
 
@@ -336,6 +337,26 @@ static void extremes(void **state)
     assert_true(status == IRIS_OK || status == IRIS_ERR_FULL);
 }
 
+/* A wide step beside the smallest scale: fitting must not make a shape vanish. */
+static void the_smallest_scale(void **state)
+{
+    (void)state;
+    teach(ENTRIES);
+    iris_hough_shape_config config = config_of(0.2, 8);
+    config.scale_min_q16 = IRIS_HOUGH_SHAPE_SCALE_MIN;
+    config.scale_step_q16 = 500000;
+    config.min_score = 1;
+    point_count = 0;
+    for (int32_t i = 0; i < 64; i++) { /* one pixel, all directions */
+        points[point_count++] = (iris_edge_point){120, 90, iris_angle_wrap(i * 1024)};
+    }
+    int32_t count = find(config);
+    assert_true(count > 0);
+    for (int32_t i = 0; i < count && i < 8; i++) {
+        assert_true(found[i].scale_q16 >= IRIS_HOUGH_SHAPE_SCALE_MIN * 7 / 8);
+    }
+}
+
 /* --- the real --- */
 
 /* A silhouette of the shared data, as a mask; w is 0 when it is not there. Given back with free(mask.data). */
@@ -412,6 +433,7 @@ int main(void)
         cmocka_unit_test(outline_is_where_it_was_drawn),
         cmocka_unit_test(wrong_finding),
         cmocka_unit_test(extremes),
+        cmocka_unit_test(the_smallest_scale),
         cmocka_unit_test(a_key_turned),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -97,7 +97,7 @@ typedef enum {
 
 /* Angles: angle_min, and on by angle_step up to angle_max; through the half turn when angle_max is below angle_min. All
  * directions when angle_max is angle_min - 1, as in the defaults. Scales likewise, up to scale_max. Fitting goes beyond
- * by half a step. */
+ * by half a step, but not more than an eighth of a scale. */
 typedef struct {
     iris_angle angle_min, angle_max; /* clockwise as seen; default -32768 and 32767 */
     int32_t angle_step;      /* of 65536 in a turn, 91 (half a degree) to 65536; default 910, 5 degrees */
