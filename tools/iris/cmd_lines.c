@@ -13,7 +13,7 @@ static const char help[] =
     "                  [--full-circle] [--accumulator OUT] [--roi x,y,w,h] [--json] IN... [-o OUT]\n\n"
     "Straight lines by Hough transform. In gray and color pictures Canny's edges vote for the\n"
     "lines along them, in masks (1-bit files) each white pixel for all lines through it.\n\n"
-    "  --low L, --high H  thresholds of edges: |dx| + |dy| of Sobel's operator, 0 to 32767;\n"
+    "  --low L, --high H thresholds of edges: |dx| + |dy| of Sobel's operator, 0 to 32767;\n"
     "                    default 12 and 30\n"
     "  --sigma S         smooths first, by a Gaussian of S pixels, 0.1 to 40; 0 does not;\n"
     "                    default 1.4\n"
@@ -156,6 +156,24 @@ static iris_status vote(search *in, const iris_image *gray, iris_scratch *scratc
     return status == IRIS_ERR_FULL ? IRIS_OK : status;
 }
 
+/* Moves the edge points that are far from the line to the front; returns how many. Segments then look at the others alone. */
+static int32_t set_far_apart(const iris_hough_edges *edges, const iris_hough_line *line)
+{
+    int32_t w = edges->size.w, h = edges->size.h, far = 0;
+    int64_t most = ((int64_t)(w > h ? w : h) / 64 + 6) * 65536;
+    iris_q30 cosine = iris_cos_q30(line->angle), sine = iris_sin_q30(line->angle);
+    for (int32_t i = 0; i < edges->count; i++) {
+        iris_edge_point point = edges->points[i];
+        int64_t rho_q16 =
+            ((int64_t)(2 * point.x - w + 1) * cosine + (int64_t)(2 * point.y - h + 1) * sine) / 32768;
+        if (rho_q16 - line->rho_q16 > most || line->rho_q16 - rho_q16 > most) {
+            edges->points[i] = edges->points[far];
+            edges->points[far++] = point;
+        }
+    }
+    return far;
+}
+
 static iris_status next_segment(iris_hough_segment *segment, search *in, int32_t line, iris_scratch *scratch)
 {
     iris_hough_segment_config config = in->by->segments;
@@ -172,6 +190,9 @@ static iris_status collect(search *in, iris_scratch *scratch)
     iris_status status = IRIS_ERR_END;
     for (int32_t i = 0; i < lines && found->lines < in->by->count && status == IRIS_ERR_END; i++) {
         int32_t before = found->count, points = 0;
+        int32_t far = in->mask ? 0 : set_far_apart(&in->edges, &in->lines[i]);
+        in->edges.points += far;
+        in->edges.count -= far;
         do {
             iris_hough_segment segment;
             status = next_segment(&segment, in, i, scratch);
@@ -183,6 +204,8 @@ static iris_status collect(search *in, iris_scratch *scratch)
                 points += segment.points;
             }
         } while (status == IRIS_OK);
+        in->edges.points -= far;
+        in->edges.count += far;
         if (points < in->hough.config.min_votes) {
             found->count = before;
         }

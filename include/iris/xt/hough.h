@@ -53,10 +53,8 @@ typedef struct {
     int32_t min_votes;        /* 1..65535: points that a line has at least; default 50 */
     int32_t theta_separation; /* bins, 0..IRIS_HOUGH_SEPARATION_MAX; default 8 */
     int32_t rho_separation;   /* bins, 0..IRIS_HOUGH_SEPARATION_MAX; default 12 */
-    int32_t
-        full_circle;   /* 1: theta is within a full turn (set the bounds, too); 0, the default: half a turn */
-    iris_angle spread; /* a point with a direction votes up to so far from it on both sides,
-                                 0..IRIS_HOUGH_SPREAD_MAX; default 1820 (10 degrees) */
+    int32_t full_circle; /* 1: theta is within a full turn (set the bounds, too); 0: half a turn; default 0 */
+    iris_angle spread;   /* of votes by direction, 0..IRIS_HOUGH_SPREAD_MAX; default 1820 (10 degrees) */
 } iris_hough_config;
 
 typedef struct {
@@ -119,7 +117,7 @@ iris_status iris_hough_vote(iris_hough *hough, int32_t twice_x, int32_t twice_y)
  * Errors as iris_hough_vote. O(w / 32 + votes), a multiplication per vote. */
 iris_status iris_hough_vote_row(iris_hough *hough, const uint32_t *mask_row, int32_t y);
 
-/* All selected pixels of a mask of the transform's size vote: the same as row by row, in half the time.
+/* All selected pixels of a mask of the transform's size vote: the same as row by row, and quicker.
  * IRIS_ERR_ARG: null pointer; the errors of iris_image_check; IRIS_ERR_FORMAT: mask is not IRIS_MASK1; IRIS_ERR_RANGE:
  * another size. O(pixels / 32 + votes). */
 iris_status iris_hough_vote_mask(iris_hough *hough, const iris_image *mask);
