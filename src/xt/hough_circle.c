@@ -36,7 +36,7 @@ static int config_is_bad(const iris_circle_config *c)
 }
 
 /* The edges, the config, and nothing in working memory yet. */
-static iris_status open_search(circle_search *s, const iris_circle_edges *edges,
+static iris_status open_search(circle_search *s, const iris_edge_list *edges,
                                const iris_circle_config *config)
 {
     if (!edges || edges->count < 0 || (!edges->points && edges->count > 0)) {
@@ -134,7 +134,7 @@ static void vote(const circle_search *s, const iris_image *to, int32_t radius, i
     }
 }
 
-iris_status iris_circle_vote(const iris_image *votes, const iris_circle_edges *edges, int32_t radius,
+iris_status iris_circle_vote(const iris_image *votes, const iris_edge_list *edges, int32_t radius,
                              const iris_circle_config *config, iris_scratch *scratch)
 {
     circle_search s;
@@ -352,7 +352,7 @@ static void insert(iris_circle *circles, int32_t capacity, int32_t count, const 
 }
 
 iris_status iris_hough_circles(iris_circle *circles, int32_t capacity, int32_t *count,
-                               const iris_circle_edges *edges, const iris_circle_config *config,
+                               const iris_edge_list *edges, const iris_circle_config *config,
                                iris_scratch *scratch)
 {
     circle_search s;

@@ -23,7 +23,7 @@ typedef struct {
     uint32_t *hits; /* in scratch: a bit for each b where a point is */
     /* one of them has the points: */
     const iris_image *mask;
-    iris_hough_edges *edges;
+    iris_edge_list *edges;
 } band;
 
 static iris_status check_config(const iris_hough_segment_config *c)
@@ -115,7 +115,7 @@ static void visit_mask(task *of, const band *in)
 
 static void visit_edges(task *of, const band *in)
 {
-    iris_hough_edges *edges = in->edges;
+    iris_edge_list *edges = in->edges;
     int32_t kept = 0;
     for (int32_t i = 0; i < edges->count; i++) {
         const iris_edge_point point = edges->points[i];
@@ -259,7 +259,7 @@ iris_status iris_hough_segment_of_mask(iris_hough_segment *segment, const iris_i
     return take_with(segment, &in, line, scratch);
 }
 
-iris_status iris_hough_segment_of_edges(iris_hough_segment *segment, iris_hough_edges *edges,
+iris_status iris_hough_segment_of_edges(iris_hough_segment *segment, iris_edge_list *edges,
                                         const iris_hough_line *line, const iris_hough_segment_config *config,
                                         iris_scratch *scratch)
 {

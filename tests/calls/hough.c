@@ -188,11 +188,11 @@ static void segment_of_edges(void)
         points[i] = (iris_edge_point){(int16_t)(x > right ? right : x), (int16_t)y,
                                       (iris_angle)draw_int(-4000, 4000)};
     }
-    iris_hough_edges edges = {draw_state(points, (size_t)count * sizeof *points),
-                              draw_chance(60) ? -1 : count, size};
+    iris_edge_list edges = {draw_state(points, (size_t)count * sizeof *points), draw_chance(60) ? -1 : count,
+                            size};
     edges.points = OR_NULL(edges.points);
     iris_hough_segment *segment = OR_NULL(draw_results(sizeof *segment));
-    iris_hough_edges *list = OR_NULL(draw_state(&edges, sizeof edges));
+    iris_edge_list *list = OR_NULL(draw_state(&edges, sizeof edges));
     const iris_hough_line *given = OR_NULL(draw_given(&line, sizeof line));
     const iris_hough_segment_config *by = OR_NULL(draw_given(&config, sizeof config));
     iris_scratch *scratch = draw_scratch_up_to(segment_scratch(size));

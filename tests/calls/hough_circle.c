@@ -23,12 +23,12 @@ static iris_circle_config any_config(void)
 }
 
 /* Points row by row, mostly; some in a ring. */
-static const iris_circle_edges *any_edges(iris_size size)
+static const iris_edge_list *any_edges(iris_size size)
 {
     static const int8_t ring[8][2] = {{0, -10}, {7, -7}, {-7, -7}, {10, 0},
                                       {-10, 0}, {7, 7},  {-7, 7},  {0, 10}};
     iris_edge_point points[POINTS_MAX];
-    iris_circle_edges edges = {NULL, draw_within(0, POINTS_MAX), size};
+    iris_edge_list edges = {NULL, draw_within(0, POINTS_MAX), size};
     int32_t y = 0, sorted = !draw_chance(20), rings = draw_chance(2);
     for (int32_t i = 0; i < edges.count; i++) {
         int32_t x = draw_within(0, size.w > 0 ? size.w - 1 : 0);
@@ -54,7 +54,7 @@ static void circles(void)
     iris_circle *found = OR_NULL(draw_results((size_t)(fits ? capacity : 5) * sizeof *found));
     capacity = fits || capacity < 0 ? capacity : 5;
     int32_t *count = OR_NULL(draw_results(sizeof *count));
-    const iris_circle_edges *edges = any_edges(size);
+    const iris_edge_list *edges = any_edges(size);
     const iris_circle_config *given = OR_NULL(draw_given(&config, sizeof config));
     iris_scratch *scratch = draw_scratch_up_to(IRIS_CIRCLE_SCRATCH_BYTES(70, 70, POINTS_MAX, 1, 256));
     CALL(iris_hough_circles(found, capacity, count, edges, given, scratch));
@@ -68,7 +68,7 @@ static void vote(void)
     const iris_image *votes =
         draw_output(IRIS_GRAY_U16, (iris_size){(int32_t)IRIS_CIRCLE_CELLS(size.w, cell),
                                                (int32_t)IRIS_CIRCLE_CELLS(size.h, cell)});
-    const iris_circle_edges *edges = any_edges(size);
+    const iris_edge_list *edges = any_edges(size);
     int32_t radius = draw_int(IRIS_CIRCLE_RADIUS_MIN, IRIS_CIRCLE_RADIUS_MAX);
     const iris_circle_config *given = OR_NULL(draw_given(&config, sizeof config));
     iris_scratch *scratch = draw_scratch_up_to(IRIS_CIRCLE_VOTE_SCRATCH_BYTES);

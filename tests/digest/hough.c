@@ -117,7 +117,7 @@ static void segments(void)
     }
     digest_view(&mask);
     iris_edge_point points[150];
-    iris_hough_edges edges = {points, 150, {W, H}};
+    iris_edge_list edges = {points, 150, {W, H}};
     for (int32_t i = 0; i < 150; i++) {
         points[i].x = (int16_t)(i % W);
         points[i].y = (int16_t)(i % 4 ? i % W / 2 + 5 : digest_between(0, H - 1));

@@ -20,10 +20,10 @@ static iris_image discs(void)
     return gray;
 }
 
-static iris_circle_edges edges_of(iris_edge_point *points)
+static iris_edge_list edges_of(iris_edge_point *points)
 {
     iris_image gray = discs();
-    iris_circle_edges edges = {points, 0, {W, H}};
+    iris_edge_list edges = {points, 0, {W, H}};
     iris_scratch scratch = digest_scratch(IRIS_EDGE_POINTS_SCRATCH_BYTES(W, H, 65536));
     const iris_canny_config canny = {65536, 60, 150};
     digest_number(iris_edge_points(points, POINTS, &edges.count, &gray, &canny, &scratch));
@@ -31,7 +31,7 @@ static iris_circle_edges edges_of(iris_edge_point *points)
     return edges;
 }
 
-static void find(int32_t cell, iris_circle_polarity polarity, const iris_circle_edges *edges,
+static void find(int32_t cell, iris_circle_polarity polarity, const iris_edge_list *edges,
                  iris_scratch scratch)
 {
     iris_circle found[3] = {{0, 0, 0, 0}};
@@ -56,7 +56,7 @@ static void find(int32_t cell, iris_circle_polarity polarity, const iris_circle_
 static void circles(void)
 {
     iris_edge_point *points = digest_take(POINTS * sizeof *points);
-    const iris_circle_edges edges = edges_of(points);
+    const iris_edge_list edges = edges_of(points);
     iris_scratch scratch = digest_scratch(IRIS_CIRCLE_SCRATCH_BYTES(W, H, edges.count, 2, 20));
     find(2, IRIS_CIRCLE_EITHER, &edges, scratch);
     find(2, IRIS_CIRCLE_DARK, &edges, scratch);
@@ -66,7 +66,7 @@ static void circles(void)
 static void votes(void)
 {
     iris_edge_point *points = digest_take(POINTS * sizeof *points);
-    const iris_circle_edges edges = edges_of(points);
+    const iris_edge_list edges = edges_of(points);
     iris_image slice = digest_canvas(IRIS_GRAY_U16, W / 2, H / 2);
     iris_scratch scratch = digest_scratch(IRIS_CIRCLE_VOTE_SCRATCH_BYTES);
     digest_number(iris_circle_vote(&slice, &edges, 12, NULL, &scratch));

@@ -78,7 +78,7 @@ static size_t scratch_for(const iris_circle_config *config)
 static iris_status run(int32_t capacity, int32_t *count, const iris_circle_config *config)
 {
     iris_scratch scratch;
-    const iris_circle_edges edges = {points, count_of_points, field};
+    const iris_edge_list edges = {points, count_of_points, field};
     qsort(points, (size_t)count_of_points, sizeof points[0], by_rows);
     assert_true(scratch_for(config) <= sizeof memory.memory);
     assert_int_equal(iris_scratch_init(&scratch, memory.memory, scratch_for(config)), IRIS_OK);
@@ -343,7 +343,7 @@ static void slice(void **state)
             }
         }
         const iris_image view = {cells, w * 2, w, h, IRIS_GRAY_U16};
-        const iris_circle_edges edges = {points, count_of_points, {W, H}};
+        const iris_edge_list edges = {points, count_of_points, {W, H}};
         iris_scratch scratch = arena(IRIS_CIRCLE_VOTE_SCRATCH_BYTES);
         assert_int_equal(iris_circle_vote(&view, &edges, radius, &config, &scratch), IRIS_OK);
         for (int32_t k = 0; k < w * h; k++) {
@@ -360,7 +360,7 @@ static void slice_saturates(void **state)
     (void)state;
     static uint16_t cells[W / 2 * H / 2];
     const iris_image view = {cells, W, W / 2, H / 2, IRIS_GRAY_U16};
-    const iris_circle_edges edges = {points, 3, {W, H}};
+    const iris_edge_list edges = {points, 3, {W, H}};
     for (int i = 0; i < W / 2 * H / 2; i++) {
         cells[i] = 65534;
     }
@@ -392,7 +392,7 @@ static int32_t search_picture(const iris_image *view, const iris_circle_config *
 {
     iris_scratch scratch;
     int32_t count = -1;
-    iris_circle_edges edges = {points, 0, {view->w, view->h}};
+    iris_edge_list edges = {points, 0, {view->w, view->h}};
     assert_int_equal(iris_scratch_init(&scratch, memory.memory, sizeof memory.memory), IRIS_OK);
     assert_int_equal(iris_edge_points(points, POINTS_MAX, &edges.count, view, NULL, &scratch), IRIS_OK);
     assert_int_equal(iris_hough_circles(found, 300, &count, &edges, config, &scratch), IRIS_OK);
@@ -452,7 +452,7 @@ static void bad_config(iris_circle_config bad)
 {
     int32_t count = 7;
     iris_scratch scratch = arena(sizeof working.memory);
-    const iris_circle_edges edges = {points, 0, {64, 64}};
+    const iris_edge_list edges = {points, 0, {64, 64}};
     CIRCLES(found, 3, &count, &edges, &bad, &scratch, IRIS_ERR_ARG);
     assert_int_equal(count, 7);
 }
@@ -486,14 +486,14 @@ static void bad_calls(void **state)
     int32_t count = 7;
     iris_scratch scratch = arena(sizeof working.memory);
     iris_edge_point list[3] = {{5, 5, 0}, {6, 5, 0}, {4, 6, 0}};
-    iris_circle_edges edges = {list, 3, {64, 64}};
+    iris_edge_list edges = {list, 3, {64, 64}};
     CIRCLES(NULL, 1, &count, &edges, NULL, &scratch, IRIS_ERR_ARG);
     CIRCLES(found, -1, &count, &edges, NULL, &scratch, IRIS_ERR_ARG);
     CIRCLES(found, 1, NULL, &edges, NULL, &scratch, IRIS_ERR_ARG);
     CIRCLES(found, 1, &count, NULL, NULL, &scratch, IRIS_ERR_ARG);
     CIRCLES(found, 1, &count, &edges, NULL, NULL, IRIS_ERR_ARG);
-    const iris_circle_edges none = {NULL, 0, {64, 64}}, null = {NULL, 1, {64, 64}},
-                            negative = {list, -1, {64, 64}};
+    const iris_edge_list none = {NULL, 0, {64, 64}}, null = {NULL, 1, {64, 64}},
+                         negative = {list, -1, {64, 64}};
     CIRCLES(found, 1, &count, &null, NULL, &scratch, IRIS_ERR_ARG);
     CIRCLES(found, 1, &count, &negative, NULL, &scratch, IRIS_ERR_ARG);
     assert_int_equal(count, 7);
@@ -502,7 +502,7 @@ static void bad_calls(void **state)
     count = 7;
     for (int i = 0; i < 6; i++) {
         iris_edge_point wrong[3] = {{5, 5, 0}, {6, 5, 0}, {4, 6, 0}};
-        iris_circle_edges bad = {wrong, 3, {i == 4 ? 0 : 64, i == 5 ? IRIS_SIDE_MAX + 1 : 64}};
+        iris_edge_list bad = {wrong, 3, {i == 4 ? 0 : 64, i == 5 ? IRIS_SIDE_MAX + 1 : 64}};
         wrong[1].x = i == 0 ? 64 : i == 1 ? -1 : 6;
         wrong[2].y = i == 2 ? 64 : i == 3 ? 4 : 6; /* 4: above the one before */
         CIRCLES(found, 1, &count, &bad, NULL, &scratch, IRIS_ERR_RANGE);
@@ -525,7 +525,7 @@ static void bad_votes(void **state)
     static uint16_t cells[32 * 32];
     iris_scratch scratch = arena(IRIS_CIRCLE_VOTE_SCRATCH_BYTES);
     iris_edge_point list[1] = {{5, 5, 0}};
-    iris_circle_edges edges = {list, 1, {64, 63}}, outside = {list, 1, {5, 5}};
+    iris_edge_list edges = {list, 1, {64, 63}}, outside = {list, 1, {5, 5}};
     iris_image view = {cells, 64, 32, 32, IRIS_GRAY_U16}, narrow = {cells, 64, 31, 32, IRIS_GRAY_U16},
                bytes = {cells, 64, 32, 32, IRIS_GRAY8}, bad = {NULL, 64, 32, 32, IRIS_GRAY_U16};
     assert_int_equal(iris_circle_vote(NULL, &edges, 10, NULL, &scratch), IRIS_ERR_ARG);

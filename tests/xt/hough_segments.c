@@ -180,7 +180,7 @@ static void directions_must_fit(void **state)
     (void)state;
     for (int full = 0; full < 2; full++) {
         iris_edge_point points[200];
-        iris_hough_edges edges = {points, 0, {100, 100}};
+        iris_edge_list edges = {points, 0, {100, 100}};
         for (int32_t y = 0; y < 80; y++) {
             iris_edge_point on = {60, (int16_t)(y + 10), (iris_angle)(y % 2 ? 30000 : -2000)};
             points[edges.count++] = on;
@@ -279,7 +279,7 @@ static void a_grid(void **state)
     iris_image gray;
     iris_hough hough;
     iris_hough_line lines[60];
-    iris_hough_edges edges = {points, 0, {grid.w, grid.h}};
+    iris_edge_list edges = {points, 0, {grid.w, grid.h}};
     int32_t found, segments = 0, long_ones = 0;
     size_t bytes = (size_t)grid.w * (size_t)grid.h;
     iris_scratch scratch = arena(sizeof memory);
@@ -319,7 +319,7 @@ static void extremes(void **state)
     assert_ends(&segment.ends, 4, 4, 4, 4);
     /* corners of the largest picture */
     iris_edge_point corners[] = {{IRIS_SIDE_MAX - 1, 0, 8192}, {0, IRIS_SIDE_MAX - 1, 8192}, {0, 0, 8192}};
-    iris_hough_edges edges = {corners, 3, {IRIS_SIDE_MAX, IRIS_SIDE_MAX}};
+    iris_edge_list edges = {corners, 3, {IRIS_SIDE_MAX, IRIS_SIDE_MAX}};
     iris_hough_line line = line_of(45, 0);
     iris_hough_segment_config config = config_for(IRIS_SIDE_MAX, 1, 1);
     iris_scratch scratch = arena(sizeof memory);
@@ -332,7 +332,7 @@ static void wrong_calls_are_refused(void **state)
     (void)state;
     iris_image mask = blank(40, 30), gray, broken;
     iris_edge_point points[2] = {{3, 3, 0}, {3, 29, 0}};
-    iris_hough_edges edges = {points, 2, {40, 30}}, bad_edges;
+    iris_edge_list edges = {points, 2, {40, 30}}, bad_edges;
     iris_hough_line line = line_of(0, -16.5);
     iris_hough_segment_config config = config_for(30, 10, 1);
     iris_hough_segment segment, before;
@@ -358,16 +358,16 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(iris_hough_segment_of_edges(&segment, &edges, NULL, &config, &scratch), IRIS_ERR_ARG);
     assert_int_equal(iris_hough_segment_of_edges(&segment, &edges, &line, &config, NULL), IRIS_ERR_ARG);
     assert_int_equal(iris_hough_segment_of_edges(&segment, &edges, &line, &config, &less), IRIS_ERR_SCRATCH);
-    bad_edges = (iris_hough_edges){NULL, 1, {40, 30}};
+    bad_edges = (iris_edge_list){NULL, 1, {40, 30}};
     assert_int_equal(iris_hough_segment_of_edges(&segment, &bad_edges, &line, &config, &scratch),
                      IRIS_ERR_ARG);
-    bad_edges = (iris_hough_edges){points, -1, {40, 30}};
+    bad_edges = (iris_edge_list){points, -1, {40, 30}};
     assert_int_equal(iris_hough_segment_of_edges(&segment, &bad_edges, &line, &config, &scratch),
                      IRIS_ERR_ARG);
-    bad_edges = (iris_hough_edges){points, 2, {40, 0}};
+    bad_edges = (iris_edge_list){points, 2, {40, 0}};
     assert_int_equal(iris_hough_segment_of_edges(&segment, &bad_edges, &line, &config, &scratch),
                      IRIS_ERR_RANGE);
-    bad_edges = (iris_hough_edges){points, 2, {40, 29}};
+    bad_edges = (iris_edge_list){points, 2, {40, 29}};
     assert_int_equal(iris_hough_segment_of_edges(&segment, &bad_edges, &line, &config, &scratch),
                      IRIS_ERR_RANGE);
     for (int i = 0; i < 10; i++) {

@@ -90,7 +90,7 @@ static iris_status lines_and_segments(void)
 {
     iris_hough_line lines[4] = {{0, 0, 0}};
     iris_hough_segment segment;
-    iris_hough_edges edges_left = {points_left, 0, {bench_frame.gray.w, bench_frame.gray.h}};
+    iris_edge_list edges_left = {points_left, 0, {bench_frame.gray.w, bench_frame.gray.h}};
     iris_status status = iris_edge_points(points_left, POINTS, &edges_left.count, &bench_frame.gray, NULL,
                                           &bench_frame.scratch);
     status = status == IRIS_OK ? vote_and_find(lines) : status;

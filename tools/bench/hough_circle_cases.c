@@ -2,7 +2,7 @@
 
 #include "iris/xt/hough_circle.h"
 
-static iris_circle_edges edges;
+static iris_edge_list edges;
 static iris_image room; /* for points, where a tenth of the pixels are edges */
 
 static void draw_ball(int32_t x, int32_t y, int32_t r, uint8_t level)
@@ -28,7 +28,7 @@ static void draw_balls(void)
 static iris_status find_edges(void)
 {
     iris_edge_point *points = (iris_edge_point *)room.data;
-    edges = (iris_circle_edges){points, 0, {bench_frame.gray.w, bench_frame.gray.h}};
+    edges = (iris_edge_list){points, 0, {bench_frame.gray.w, bench_frame.gray.h}};
     return iris_edge_points(points, room.w * room.h / 3, &edges.count, &bench_frame.gray, NULL,
                             &bench_frame.scratch);
 }

@@ -70,7 +70,7 @@ static iris_status find_thresholds(iris_canny_config *canny, const iris_image *g
 }
 
 /* The edge points of gray into edges->points, which have room for all of its pixels. */
-static iris_status find_edges(iris_circle_edges *edges, iris_edge_point *points, const iris_image *gray,
+static iris_status find_edges(iris_edge_list *edges, iris_edge_point *points, const iris_image *gray,
                               operation_stage *stage)
 {
     const settings *by = stage->settings;
@@ -78,7 +78,7 @@ static iris_status find_edges(iris_circle_edges *edges, iris_edge_point *points,
     iris_scratch *scratch =
         stage_scratch(stage, larger(IRIS_EDGE_POINTS_SCRATCH_BYTES(gray->w, gray->h, canny.sigma_q16),
                                     IRIS_CANNY_ADAPT_SCRATCH_BYTES(gray->w, canny.sigma_q16)));
-    *edges = (iris_circle_edges){points, 0, {gray->w, gray->h}};
+    *edges = (iris_edge_list){points, 0, {gray->w, gray->h}};
     if (!scratch) {
         return IRIS_ERR_SCRATCH;
     }
@@ -89,7 +89,7 @@ static iris_status find_edges(iris_circle_edges *edges, iris_edge_point *points,
 }
 
 /* The most votes of each cell over all radii, as a picture. */
-static int write_accumulator(const iris_circle_edges *edges, operation_stage *stage)
+static int write_accumulator(const iris_edge_list *edges, operation_stage *stage)
 {
     const settings *by = stage->settings;
     const iris_size cells = {(int32_t)IRIS_CIRCLE_CELLS(edges->size.w, by->circle.cell),
@@ -120,7 +120,7 @@ static int write_accumulator(const iris_circle_edges *edges, operation_stage *st
            picture_write(by->accumulator, gray);
 }
 
-static iris_status find_circles(finding *found, const iris_circle_edges *edges, operation_stage *stage)
+static iris_status find_circles(finding *found, const iris_edge_list *edges, operation_stage *stage)
 {
     const settings *by = stage->settings;
     iris_scratch *scratch =
@@ -160,7 +160,7 @@ static int apply(iris_image *result, const iris_image *input, operation_stage *s
     if (!found) {
         return EXIT_BAD_DATA;
     }
-    iris_circle_edges edges;
+    iris_edge_list edges;
     iris_status status = find_edges(&edges, (iris_edge_point *)(found + 1), gray, stage);
     if (status != IRIS_OK) {
         return stage_exit(stage, status);

@@ -63,7 +63,7 @@ typedef struct {
     const settings *by;
     const iris_image *mask; /* null: edges vote */
     int32_t selected;       /* pixels of the mask */
-    iris_hough_edges edges;
+    iris_edge_list edges;
     iris_hough hough;
     iris_hough_line *lines;
     int32_t line_count;
@@ -157,7 +157,7 @@ static iris_status vote(search *in, const iris_image *gray, iris_scratch *scratc
 }
 
 /* Moves the edge points that are far from the line to the front; returns how many. Segments then look at the others alone. */
-static int32_t set_far_apart(const iris_hough_edges *edges, const iris_hough_line *line)
+static int32_t set_far_apart(const iris_edge_list *edges, const iris_hough_line *line)
 {
     int32_t w = edges->size.w, h = edges->size.h, far = 0;
     int64_t most = ((int64_t)(w > h ? w : h) / 64 + 6) * 65536;

@@ -46,7 +46,7 @@ static void find(finding *found, const iris_image *gray, int32_t radius_min, int
                                  IRIS_CIRCLE_SCRATCH_BYTES(gray->w, gray->h, pixels, config.cell, 1024)));
     iris_edge_point *points = malloc((size_t)pixels * sizeof *points);
     void *memory = malloc(bytes);
-    iris_circle_edges edges = {points, 0, {gray->w, gray->h}};
+    iris_edge_list edges = {points, 0, {gray->w, gray->h}};
     iris_scratch_init(&scratch, memory, memory ? bytes : 0);
     found->count = -1;
     if (points && iris_canny_adapt(&canny, gray, &scratch) == IRIS_OK &&

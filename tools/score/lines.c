@@ -34,7 +34,7 @@ static iris_hough_config config_for(iris_size size, int32_t count)
 }
 
 /* Of the best lines, the segments; of a line whose segments have fewer points than a line must have, none. */
-static void collect(segments *to, iris_hough_edges *edges, const iris_hough *hough, iris_scratch *scratch)
+static void collect(segments *to, iris_edge_list *edges, const iris_hough *hough, iris_scratch *scratch)
 {
     iris_hough_line lines[SEGMENTS_MAX];
     int32_t count = 0;
@@ -56,7 +56,7 @@ static int find(segments *to, const iris_image *gray)
     iris_scratch scratch;
     iris_hough hough;
     iris_canny_config canny;
-    iris_hough_edges edges = {points, 0, {gray->w, gray->h}};
+    iris_edge_list edges = {points, 0, {gray->w, gray->h}};
     to->count = to->lines = 0;
     iris_canny_defaults(&canny);
     canny.low = 12;

@@ -18,6 +18,13 @@ typedef struct {
     iris_angle angle; /* in which the picture gets brighter: 0 right, 16384 down, -16384 up */
 } iris_edge_point;
 
+/* Edge points of a picture of this size, for functions that take all of that. */
+typedef struct {
+    iris_edge_point *points; /* may be null when count is 0 */
+    int32_t count;
+    iris_size size;
+} iris_edge_list;
+
 /* Working memory: what canny.h takes, and one bit per pixel. 160x120 at sigma 1.4: 17 KB. */
 #define IRIS_EDGE_POINTS_SCRATCH_BYTES(w, h, sigma_q16)                                                      \
     (IRIS_CANNY_SCRATCH_BYTES(w, h, sigma_q16) + IRIS_SCRATCH_ROUND(4u * IRIS_CANNY_WORDS(w) * (size_t)(h)))

@@ -56,13 +56,6 @@ typedef struct {
     int32_t votes;                /* edge points that support the circle */
 } iris_circle;
 
-/* Edge points as iris_edge_points writes them, row by row, of a picture of this size. */
-typedef struct {
-    const iris_edge_point *points; /* may be null when count is 0 */
-    int32_t count;
-    iris_size size;
-} iris_circle_edges;
-
 /* Cells beside each other along a side of so many pixels. */
 #define IRIS_CIRCLE_CELLS(side, cell) (((size_t)(side) + (size_t)(cell)-1u) / (size_t)(cell))
 
@@ -82,7 +75,7 @@ typedef struct {
 void iris_circle_defaults(iris_circle_config *config);
 
 /* The circles, best first: those with the greatest product of votes and share of the circumference (votes^2 / r).
- * config null: the defaults. circles may be null when capacity is 0. *count is the number of all circles found.
+ * edges are row by row, as iris_edge_points writes them; they stay as they are. config null: the defaults. circles may be null when capacity is 0. *count is the number of all circles found.
  *
  * A circle's center is inside the picture. Its radius may be beyond the bounds by a pixel, or by a sixteenth of
  * itself if that is more. When part of it is outside the picture, the share still is one of the whole circumference:
@@ -104,7 +97,7 @@ void iris_circle_defaults(iris_circle_config *config);
  * untouched then.
  * O(slices * (points + cells) + hypotheses * points in the circle's rows), a few divisions for each hypothesis. */
 iris_status iris_hough_circles(iris_circle *circles, int32_t capacity, int32_t *count,
-                               const iris_circle_edges *edges, const iris_circle_config *config,
+                               const iris_edge_list *edges, const iris_circle_config *config,
                                iris_scratch *scratch);
 
 /* One slice of the accumulator, or several into one picture: adds the votes for this radius to votes, IRIS_GRAY_U16 of
@@ -115,7 +108,7 @@ iris_status iris_hough_circles(iris_circle *circles, int32_t capacity, int32_t *
  * iris_image_check; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: votes has another size, or as above; IRIS_ERR_SCRATCH.
  * O(points). */
 #define IRIS_CIRCLE_VOTE_SCRATCH_BYTES IRIS_SCRATCH_ROUND(1024u)
-iris_status iris_circle_vote(const iris_image *votes, const iris_circle_edges *edges, int32_t radius,
+iris_status iris_circle_vote(const iris_image *votes, const iris_edge_list *edges, int32_t radius,
                              const iris_circle_config *config, iris_scratch *scratch);
 
 #ifdef __cplusplus

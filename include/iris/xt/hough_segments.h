@@ -43,13 +43,6 @@ typedef struct {
     int32_t points;       /* that support it */
 } iris_hough_segment;
 
-/* Edge points of a picture of this size. */
-typedef struct {
-    iris_edge_point *points;
-    int32_t count;
-    iris_size size;
-} iris_hough_edges;
-
 /* Working memory: a bit for each pixel along the longer side. 640x480: 80 bytes. */
 #define IRIS_HOUGH_SEGMENT_SCRATCH_BYTES(w, h)                                                               \
     IRIS_SCRATCH_ROUND(((size_t)((w) > (h) ? (w) : (h)) + 31u) / 32u * 4u)
@@ -72,7 +65,7 @@ iris_status iris_hough_segment_of_mask(iris_hough_segment *segment, const iris_i
  *
  * IRIS_ERR_END as above; IRIS_ERR_ARG: null pointer, a negative count, or a config value out of range; IRIS_ERR_RANGE: a
  * side outside 1..IRIS_SIDE_MAX, or a point outside the picture; IRIS_ERR_SCRATCH. O(count), up to ten times. */
-iris_status iris_hough_segment_of_edges(iris_hough_segment *segment, iris_hough_edges *edges,
+iris_status iris_hough_segment_of_edges(iris_hough_segment *segment, iris_edge_list *edges,
                                         const iris_hough_line *line, const iris_hough_segment_config *config,
                                         iris_scratch *scratch);
 
