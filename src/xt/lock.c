@@ -119,11 +119,22 @@ static int is_cut(const iris_lock *lock, const iris_lock_thing *thing)
     return thing->is_part || thing->area * INT64_C(8) < lock->area * INT64_C(5);
 }
 
+/* It touches something, or it is larger than was thought: after two seconds or so that is believed. */
+static void follow_whole(iris_lock *lock, const iris_lock_thing *thing)
+{
+    if (thing->whole_area > 0) {
+        lock->area = toward(lock->area, thing->whole_area + 64, 7);
+        lock->w_q4 = toward(lock->w_q4, 16 * thing->whole_w, 7);
+        lock->h_q4 = toward(lock->h_q4, 16 * thing->whole_h, 7);
+    }
+}
+
 static void follow_size_and_color(iris_lock *lock, const iris_lock_thing *thing)
 {
     const iris_lock_yuv yuv = iris_lock_yuv_of(thing->color);
     const int shift = is_cut(lock, thing) ? 4 : 2;
     if (thing->is_part) {
+        follow_whole(lock, thing);
         return;
     }
     lock->area = toward(lock->area, thing->area, shift);
@@ -168,26 +179,49 @@ static int64_t within(int64_t value, int32_t first, int32_t count)
     return value < low ? low : value > high ? high : value;
 }
 
-/* A thing that is much larger than the object: the part of it where the object should be. The pixels around it draw it
- * away, so that only half of what they say is believed. */
+/* Several times larger than the object? */
+static int is_vast(const iris_lock *lock, const iris_lock_thing *thing)
+{
+    const iris_size most = expected_size(lock, 27);
+    return thing->box.w > most.w || thing->box.h > most.h;
+}
+
+/* Larger than the object, and not in all directions alike: what has come nearer keeps its sides' ratio, and the share
+ * of its box that it fills. */
+static int has_grown_oddly(const iris_lock *lock, const iris_lock_thing *thing)
+{
+    const int64_t w = lock->w_q4, h = lock->h_q4, new_w = 16 * thing->box.w, new_h = 16 * thing->box.h;
+    const int is_larger = thing->area * INT64_C(5) > lock->area * INT64_C(8);
+    const int is_wider = new_w * h * 4 > new_h * w * 5, is_taller = new_h * w * 4 > new_w * h * 5;
+    const int is_emptier = thing->area * (w * h) * 5 < lock->area * (new_w * new_h) * 4;
+    return is_larger && (is_wider || is_taller || is_emptier);
+}
+
+/* A thing that is more than the object: the part of it where the object should be. The pixels around it draw it away,
+ * so that only half of what they say is believed. */
 static iris_lock_thing part_of(const iris_lock *lock, const iris_lock_view *view,
                                const iris_lock_thing *thing)
 {
-    const iris_size most = expected_size(lock, 27);
-    if (lock->seen < 2 || (thing->box.w <= most.w && thing->box.h <= most.h)) {
+    const int vast = is_vast(lock, thing);
+    if (lock->seen < 2 || (!vast && !has_grown_oddly(lock, thing))) {
         return *thing;
     }
     const int64_t ahead = lock->missed + 1;
     iris_lock_thing from = *thing;
     from.x_q16 = within(lock->x_q16 + ahead * lock->dx_q16, thing->box.x, thing->box.w);
     from.y_q16 = within(lock->y_q16 + ahead * lock->dy_q16, thing->box.y, thing->box.h);
-    iris_lock_thing part = iris_lock_window(view, &from, expected_size(lock, 18));
+    iris_lock_thing part = iris_lock_window(view, &from, expected_size(lock, vast ? 18 : 16));
     if (part.area * INT64_C(3) < lock->area) {
         return *thing;
     }
     part.is_part = 1;
     part.x_q16 = (part.x_q16 + from.x_q16) / 2;
     part.y_q16 = (part.y_q16 + from.y_q16) / 2;
+    if (!vast) {
+        part.whole_area = thing->area;
+        part.whole_w = (int16_t)thing->box.w;
+        part.whole_h = (int16_t)thing->box.h;
+    }
     return part;
 }
 
@@ -266,7 +300,7 @@ static void learn(iris_lock *lock, const iris_image *frame, const iris_rect *box
     lock->since_lesson += lock->since_lesson < LEARN_FRAMES;
     if (lock->is_taught && lock->config.adapt && has_changed && cost < LEARN_COST &&
         lock->since_lesson >= LEARN_FRAMES && is_inside(box, lock->size)) {
-        const iris_signature_scene scene = {frame, *box, &lock->lesson};
+        const iris_signature_scene scene = {frame, *box, &lock->lesson, 0};
         (void)iris_signature_learn(NULL, lock->signatures, lock->which, &scene, scratch);
         note_lesson(lock);
     }
@@ -346,7 +380,7 @@ static int is_clear(const iris_lock *lock, iris_lock_view *view)
 {
     iris_lock_cost cost = {0, 0, 0, 0};
     const int32_t best = choose(&cost, lock, view);
-    return best >= 0 && !view->things[best].is_part &&
+    return best >= 0 && (!view->things[best].is_part || view->things[best].whole_area > 0) &&
            cost.place + cost.size + cost.color + cost.stranger < IRIS_LOCK_COST_MOST;
 }
 
@@ -405,61 +439,29 @@ iris_status iris_lock_frame(iris_lock_result *result, iris_lock *lock, const iri
     return status;
 }
 
-/* The thing in the rectangle: the largest whose center is in it and that is not much larger; else all pixels there. */
-static iris_lock_thing thing_in(iris_lock_view *view, const iris_rect *rect)
-{
-    const iris_size most = {rect->w + rect->w / 2 + 2, rect->h + rect->h / 2 + 2};
-    iris_lock_thing best = {.box = *rect, .area = 0};
-    iris_lock_group(view, (iris_size){rect->w + rect->w / 4, rect->h + rect->h / 4});
-    for (int32_t i = 0; i < view->thing_count; i++) {
-        const iris_lock_thing *thing = &view->things[i];
-        int64_t x = thing->x_q16 >> 16, y = thing->y_q16 >> 16;
-        int is_in = x >= rect->x && y >= rect->y && x < rect->x + rect->w && y < rect->y + rect->h;
-        if (is_in && thing->box.w <= most.w && thing->box.h <= most.h && thing->area > best.area) {
-            best = *thing;
-        }
-    }
-    if (best.area * INT64_C(6) < (int64_t)rect->w * rect->h) {
-        best.area = 1;
-        best.x_q16 = ((int64_t)2 * rect->x + rect->w - 1) << 15;
-        best.y_q16 = ((int64_t)2 * rect->y + rect->h - 1) << 15;
-        best = iris_lock_window(view, &best, (iris_size){rect->w + rect->w / 4, rect->h + rect->h / 4});
-    }
-    return best;
-}
-
 iris_status iris_lock_teach(iris_lock_result *result, iris_lock *lock, const iris_image *frame,
                             iris_rect rect, iris_scratch *scratch)
 {
     iris_lock_view view;
-    iris_signature_lesson lesson;
+    iris_lock_lesson lesson;
     iris_status status = check(result, lock, frame, scratch);
     if (status == IRIS_OK) {
         status = ask(scratch, IRIS_LOCK_SCRATCH_BYTES(frame->w, frame->h));
     }
-    if (status == IRIS_OK) {
-        status = iris_signature_teach(&lesson, lock->signatures, lock->which, frame, rect, scratch);
-    }
-    size_t mark = status == IRIS_OK ? iris_scratch_mark(scratch) : 0;
-    if (status != IRIS_OK || (status = iris_lock_look(&view, lock, frame, scratch)) != IRIS_OK) {
+    const size_t mark = iris_scratch_mark(scratch);
+    const iris_signature_scene scene = {frame, rect, NULL, 0};
+    status = status == IRIS_OK ? iris_lock_learn(&lesson, &view, lock, &scene, scratch) : status;
+    if (status != IRIS_OK) {
+        iris_scratch_release(scratch, mark);
         return status;
     }
-    iris_lock_thing thing = thing_in(&view, &rect);
-    if (thing.area == 0) {
-        thing = (iris_lock_thing){rect,
-                                  ((int64_t)2 * rect.x + rect.w - 1) << 15,
-                                  ((int64_t)2 * rect.y + rect.h - 1) << 15,
-                                  0,
-                                  lesson.color,
-                                  0};
-    }
     lock->is_taught = 1;
-    lock->lesson = lesson;
-    lock_on(lock, &thing);
-    lock->missed = thing.area == 0;
+    lock->lesson = lesson.colors;
+    lock_on(lock, &lesson.thing);
+    lock->missed = lesson.thing.area == 0;
     note_lesson(lock);
-    iris_lock_note_strangers(lock, &view, &thing.box);
+    iris_lock_note_strangers(lock, &view, &lesson.thing.box);
     iris_scratch_release(scratch, mark);
-    *result = thing.area > 0 ? found(lock, &thing, 0) : not_found(lock);
+    *result = lesson.thing.area > 0 ? found(lock, &lesson.thing, 0) : not_found(lock);
     return IRIS_OK;
 }

@@ -55,13 +55,18 @@ static int32_t size_cost(const iris_lock *lock, const iris_lock_thing *thing)
     return capped((squared_ratio(thing->area, lock->area) + sides) / 2, 4096);
 }
 
-static int32_t color_cost(const iris_lock *lock, const iris_lock_thing *thing)
+int32_t iris_lock_color_cost(iris_lock_yuv is, iris_lock_yuv was)
 {
-    const iris_lock_yuv is = iris_lock_yuv_of(thing->color);
-    int64_t du = is.u - lock->u_q4, dv = is.v - lock->v_q4, dy = is.y - lock->y_q4;
-    int64_t chroma = iris_sqrt_u32((uint32_t)(lock->u_q4 * lock->u_q4 + lock->v_q4 * lock->v_q4));
+    int64_t du = is.u - was.u, dv = is.v - was.v, dy = is.y - was.y;
+    int64_t chroma = iris_sqrt_u32((uint32_t)(was.u * was.u + was.v * was.v));
     int64_t tint = 16 * 6 + chroma / 4, light = 16 * 36;
     return capped((du * du + dv * dv) * 256 / (tint * tint) + dy * dy * 256 / (light * light), 4096);
+}
+
+static int32_t color_cost(const iris_lock *lock, const iris_lock_thing *thing)
+{
+    return iris_lock_color_cost(iris_lock_yuv_of(thing->color),
+                                (iris_lock_yuv){lock->y_q4, lock->u_q4, lock->v_q4});
 }
 
 static int is_near(const iris_lock_stranger *s, const iris_rect *box)

@@ -81,7 +81,7 @@ static uint8_t mean(int32_t a, int32_t weight_a, int32_t b, int32_t weight_b)
 
 static iris_lock_thing thing_of(const iris_blob *blob)
 {
-    return (iris_lock_thing){blob->box, blob->x_q16, blob->y_q16, blob->area, blob->mean, 0};
+    return (iris_lock_thing){blob->box, blob->x_q16, blob->y_q16, blob->area, blob->mean, 0, 0, 0, 0};
 }
 
 static void join(iris_lock_thing *thing, const iris_blob *blob)
@@ -140,10 +140,9 @@ void iris_lock_group(iris_lock_view *view, iris_size most)
 
 /* ---- a window ---- */
 
-/* The pixels in the part of a frame. */
-static iris_lock_thing pixels_in(const iris_lock_view *view, iris_rect part)
+iris_lock_thing iris_lock_pixels_in(const iris_lock_view *view, iris_rect part)
 {
-    iris_lock_thing in = {{0, 0, 0, 0}, 0, 0, 0, {0, 0, 0}, 0};
+    iris_lock_thing in = {.area = 0};
     int64_t twice_x = 0, y_sum = 0;
     int32_t left = INT32_MAX, right = -1, top = -1, bottom = -1;
     int32_t x_end = lesser(part.x + part.w, view->frame->w);
@@ -178,7 +177,7 @@ iris_lock_thing iris_lock_window(const iris_lock_view *view, const iris_lock_thi
 {
     iris_lock_thing in = *thing;
     for (int i = 0; i < 2 && in.area > 0; i++) {
-        in = pixels_in(view, centered(in.x_q16, in.y_q16, size));
+        in = iris_lock_pixels_in(view, centered(in.x_q16, in.y_q16, size));
     }
     in.color = thing->color;
     return in;

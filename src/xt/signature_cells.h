@@ -63,6 +63,7 @@ typedef struct {
     const iris_image *image;
     iris_rect rect;
     const iris_signature_lesson *near; /* an earlier lesson, or null */
+    int is_all;                        /* 1: what is around the object is not asked */
 } iris_signature_scene;
 
 /* As iris_signature_teach, but not far from an earlier lesson (when there is one): hue within 20 degrees of its range,

@@ -312,11 +312,11 @@ static int keep_near(iris_signature_lesson *result, const pupil *job, const iris
 }
 
 /* The whole lesson but the cells: evidence and range. */
-static void look_at(iris_signature_lesson *result, pupil *job)
+static void look_at(iris_signature_lesson *result, pupil *job, int is_all)
 {
     gather_evidence(job);
     walk(job, count_positive, &job->rect);
-    if ((int64_t)job->positive * 5 < job->count[OBJECT]) {
+    if (is_all || (int64_t)job->positive * 5 < job->count[OBJECT]) {
         job->positive = 0;
     }
     memset(job->is, 0, sizeof *job->is);
@@ -356,7 +356,7 @@ iris_status iris_signature_learn(iris_signature_lesson *lesson, iris_signatures 
     job.inner = grown(rect, rect.w / 8 + 1, rect.h / 8 + 1);
     job.outer = grown(job.inner, rect.w / 2 + 3, rect.h / 2 + 3);
     job.bit = 1u << which;
-    look_at(&result, &job);
+    look_at(&result, &job, scene->is_all);
     iris_status status = scene->near && !keep_near(&result, &job, scene->near) ? IRIS_ERR_DATA : IRIS_OK;
     if (status == IRIS_OK) {
         iris_signature_keep(kept, signatures, job.bit);
@@ -378,6 +378,6 @@ iris_status iris_signature_teach(iris_signature_lesson *lesson, iris_signatures 
                                  const iris_image *image, iris_rect rect, iris_scratch *scratch)
 {
     iris_status status = check(signatures, which, image, rect, scratch);
-    const iris_signature_scene scene = {image, rect, NULL};
+    const iris_signature_scene scene = {image, rect, NULL, 0};
     return status == IRIS_OK ? iris_signature_learn(lesson, signatures, which, &scene, scratch) : status;
 }

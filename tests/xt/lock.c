@@ -241,6 +241,95 @@ static void before_its_own_color(void **state)
     }
 }
 
+/* The rectangle shows a part of the object: the rest of it is no background. */
+static void taught_by_a_part(void **state)
+{
+    (void)state;
+    for (int32_t half = 4; half <= 12; half += 2) {
+        begin(NULL);
+        for (int32_t t = 0; t < 12; t++) {
+            int32_t x = 50 + 4 * t;
+            draw_room(100);
+            draw_disc(x, 60, 15, RED, 100);
+            t == 0 ? teach(x, 60, half) : look();
+            assert_found_at(x, 60, 1);
+            assert_int_equal(seen.id, 1);
+        }
+        assert_true(seen.box.w >= 29 && seen.box.w <= 32 && seen.area > 640);
+    }
+}
+
+/* Another one of its color touches it when it is taught, and goes away. */
+static void touched_when_taught(void **state)
+{
+    (void)state;
+    for (int32_t r = 5; r <= 12; r += 7) {
+        begin(NULL);
+        for (int32_t t = 0; t < 14; t++) {
+            int32_t x = 40 + 4 * t;
+            draw_room(100);
+            if (t < 4) {
+                draw_disc(x, 60 + 9 + r, r, RED, 100);
+            }
+            draw_disc(x, 60, 9, RED, 100);
+            t == 0 ? teach(x, 60, 7) : look();
+            assert_found_at(x, 60, t < 4 ? 14 : 1); /* 14: where the middle of both is */
+            assert_int_equal(seen.id, 1);
+        }
+        assert_true(seen.box.w >= 17 && seen.box.w <= 20);
+    }
+}
+
+/* The rectangle is around it, but the room's color is near to its own and goes on: that is no part of it. */
+static void what_is_paler_is_not_its_rest(void **state)
+{
+    (void)state;
+    begin(NULL);
+    for (int32_t t = 0; t < 10; t++) {
+        int32_t x = 40 + 4 * t;
+        draw_room(100);
+        draw_disc(46, 70, 22, (iris_color){165, 75, 80}, 100);
+        draw_disc(x, 60, 8, RED, 100);
+        t == 0 ? teach(x, 60, 5) : look();
+        assert_found_at(x, 60, 1);
+        assert_true(seen.box.w >= 10 && seen.box.w <= 18);
+    }
+}
+
+/* Its twin touches it for a while: the box stays that of one. */
+static void touched_on_the_way(void **state)
+{
+    (void)state;
+    teach_red();
+    for (int32_t t = 1; t < 24; t++) {
+        int32_t x = 40 + 4 * t;
+        draw_room(100);
+        draw_disc(x, 60, 8, RED, 100);
+        if (t >= 8 && t < 16) {
+            draw_disc(x + 13, 65, 8, RED, 100);
+        }
+        look();
+        assert_found_at(x, 60, t >= 8 && t < 16 ? 6 : 1);
+        assert_true(seen.box.w <= 25 && seen.box.h <= 22 && seen.area < 300);
+        assert_int_equal(seen.id, 1);
+    }
+}
+
+/* It comes nearer by up to half of its area at a time: that is the object, all of it. */
+static void comes_nearer(void **state)
+{
+    (void)state;
+    static const int32_t radii[] = {8, 9, 11, 13, 16, 18};
+    teach_red();
+    for (int32_t t = 0; t < 6; t++) {
+        draw_room(100);
+        draw_disc(45 + 3 * t, 60, radii[t], RED, 100);
+        look();
+        assert_found_at(45 + 3 * t, 60, 1);
+        assert_true(seen.box.w >= 2 * radii[t] - 1);
+    }
+}
+
 /* The light gets warm, step by step, until the room has the color that the object had: the object is told from it
  * still. */
 static void the_room_takes_its_color(void **state)
@@ -452,6 +541,11 @@ int main(void)
         cmocka_unit_test(jumps_anywhere),
         cmocka_unit_test(in_pieces),
         cmocka_unit_test(before_its_own_color),
+        cmocka_unit_test(taught_by_a_part),
+        cmocka_unit_test(touched_when_taught),
+        cmocka_unit_test(what_is_paler_is_not_its_rest),
+        cmocka_unit_test(touched_on_the_way),
+        cmocka_unit_test(comes_nearer),
         cmocka_unit_test(the_room_takes_its_color),
         cmocka_unit_test(gone_means_lost),
         cmocka_unit_test(another_one_is_another),
