@@ -99,6 +99,9 @@ works "a bright line is not dark" --json bright.pgm
 is "not dark" state '"lost"'
 works "a red line" --json --line hsl:350-10:50-65:25-35 red.ppm
 near "red, through 0 degrees" offset 0.375 0.02
+cp out colons
+works "a red line, by commas" --json --line hsl:350-10,50-65,25-35 red.ppm
+cmp -s out colons; say $? "commas are as good as colons"
 works "no green line" --json --line hsl:90-150:20-100:20-70 red.ppm
 is "green" state '"lost"'
 works "a gray line by color" --json --line=hsl:0-360:0-10:0-20 right.pgm

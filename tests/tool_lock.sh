@@ -26,8 +26,8 @@ all() { # all KEY : its values in out
 }
 
 number='(null|-?[0-9]+(\.[0-9]+)?)'
-object="^\{\"file\":\"[^\"]*\",\"x\":$number,\"y\":$number,\"w\":$number,\"h\":$number,\"cx\":$number,\"cy\":$number,"
-object="$object\"area\":$number,\"id\":$number,\"age\":$number,\"state\":\"(found|lost)\"\}\$"
+object="^\{\"file\":\"[^\"]*\",\"frame\":[0-9]+,\"x\":$number,\"y\":$number,\"w\":$number,\"h\":$number,\"cx\":$number,\"cy\":$number,"
+object="$object\"area\":$number,\"id\":$number,\"age\":$number,\"state\":\"(found|lost)\",\"score\":$number\}\$"
 well_formed() {
     [ -s out ] && ! grep -Evq "$object" out
 }
@@ -45,6 +45,7 @@ works "by its color" --signature hsl:350-10,50-70,20-40 --json 1.ppm 2.ppm 3.ppm
 cmp -s out taught; say $? "the same by its color"
 works "colons, too" --signature=hsl:350-10:50-70:20-40 --json 1.ppm 2.ppm 3.ppm empty.ppm 5.ppm
 cmp -s out taught; say $? "the same with colons"
+[ "$(all frame)" = "1 2 3 4 5 " ] && [ "$(field score)" = 1 ] && [ "$(field score 4)" = null ]; say $? "numbers and scores"
 works "nothing of that color" --signature hsl:90-150,50-100,20-70 --json 1.ppm blue.ppm
 [ "$(all state)" = "lost lost " ] && [ "$(all id)" = "null null " ] && well_formed; say $? "nothing yet"
 works "another color is not it" --teach 10,20,10,10 --json 1.ppm blue.ppm
@@ -60,13 +61,23 @@ cp 1.ppm 2.ppm 3.ppm frames
 works "a folder" --teach 10,20,10,10 --json frames
 [ "$(all x)" = "10 14 18 " ] && [ "$(field file 2)" = '"frames/2.ppm"' ]; say $? "a folder in the order of its names"
 cat 1.ppm 2.ppm 3.ppm | timeout 30 "$iris" lock --teach 10,20,10,10 --json -o stream - > out 2> err
-[ $? -eq 0 ] && [ "$(all x)" = "10 14 18 " ]; say $? "a stream"
+[ $? -eq 0 ] && [ "$(all x)" = "10 14 18 " ] && [ "$(all frame)" = "1 2 3 " ]; say $? "a stream"
 [ "$(ls stream | tr '\n' ' ')" = "frame_00001.bmp frame_00002.bmp frame_00003.bmp " ]; say $? "overlays of a stream"
 works "overlays" --teach 10,20,10,10 --json -o seen frames empty.ppm
 [ "$(ls seen | tr '\n' ' ')" = "1.bmp 2.bmp 3.bmp empty.bmp " ] &&
     "$iris" info seen/1.bmp | grep -q 320x240; say $? "overlays: a picture of each frame, enlarged"
 
+# --- a part is taught ---
+run --teach 13,23,4,4 --json 1.ppm 2.ppm
+[ $code -eq 0 ] && [ "$(all w)" = "10 10 " ] && [ "$(wc -l < err)" -eq 1 ] &&
+    grep -q 'the color goes on outside the rectangle: locked on to 10,20,10,10' err; say $? "a part is taught: all of it"
+
 # --- what is wrong ---
+for picture in one.bmp one.PPM; do
+    refuses "a picture for all frames ($name)" 2 "a folder for the pictures of all frames, not '$name'" \
+        --teach 10,20,10,10 -o $picture 1.ppm
+    [ ! -e $picture ]; say $? "no folder $picture"
+done
 refuses "no object" 2 'one of them' 1.ppm
 refuses "two ways" 2 'one of them' --teach 1,2,3,4 --signature hsl:0-10,0-10,0-10 1.ppm
 refuses "no input" 2 'no input' --teach 1,2,3,4

@@ -21,14 +21,17 @@ static const char help[] =
     "included, at once. IN is a BMP, PGM, or PPM file, a folder of them, or - for standard input, which\n"
     "may hold several one after another. All of them together are one sequence.\n\n"
     "  --teach x,y,w,h  the object is what this rectangle of the first frame shows; its color is\n"
-    "                   learned there, and again as the light changes\n"
+    "                   learned there, and again as the light changes; when the rectangle is full\n"
+    "                   of a color that goes on outside, all of that is the object\n"
     "  --signature hsl:H0-H1,S0-S1,L0-L1\n"
     "                   the object is the largest blob of these colors: hue in degrees, saturation\n"
-    "                   and lightness in percent; 350-10 goes through red\n"
+    "                   and lightness in percent; 350-10 goes through red; colons will do, too\n"
     "  --json           one JSON object per frame\n"
-    "  -o DIR           write each frame with what was found and where it came from drawn in, as a BMP\n\n"
+    "  -o DIR           a folder: write each frame with what was found and where it came from drawn in, as a "
+    "BMP\n\n"
     "x, y, w, h: the box around its pixels; cx, cy: their center; area: how many. id: 1, 2, and so on:\n"
     "what is found again with its color and size keeps its number. age: frames since it was first seen.\n"
+    "score: how much it is like what was expected, up to 1. frame: its place among all, from 1.\n"
     "state: found, or lost, also while it is hidden and only predicted; in JSON the positions of a lost\n"
     "object are null, and so is its id while there was none yet.\n\n"
     "example: iris lock --teach 108,123,15,15 --json -o seen ball/*.bmp\n"
@@ -69,6 +72,16 @@ static int begin(sequence *s, const char *file, iris_size size)
     return EXIT_DONE;
 }
 
+/* Says so when more was taught than the rectangle. */
+static void tell_of_more(const iris_lock_result *seen, const iris_rect *rect)
+{
+    const iris_rect *box = &seen->box;
+    if (seen->state == IRIS_LOCK_FOUND && box->w * INT64_C(2) * box->h > INT64_C(3) * rect->w * rect->h) {
+        complain("--teach", "the color goes on outside the rectangle: locked on to %d,%d,%d,%d", (int)box->x,
+                 (int)box->y, (int)box->w, (int)box->h);
+    }
+}
+
 /* Follows the object into the frame in s->picture. Returns an exit code. */
 static int look(iris_lock_result *result, sequence *s, const char *file)
 {
@@ -96,6 +109,9 @@ static int look(iris_lock_result *result, sequence *s, const char *file)
         complain(file, "%s", iris_status_text(status));
         return EXIT_BAD_DATA;
     }
+    if (is_first && s->options->teaches) {
+        tell_of_more(result, &s->options->rect);
+    }
     return EXIT_DONE;
 }
 
@@ -107,7 +123,7 @@ static int answer_frame(sequence *s, const char *file)
     if (exit_code != EXIT_DONE) {
         return exit_code;
     }
-    lock_report(&result, file, s->options->json);
+    lock_report(&result, &(lock_frame){file, s->frame, &s->picture.image}, s->options->json);
     if (!s->options->folder) {
         return EXIT_DONE;
     }
@@ -171,10 +187,10 @@ static int run(const lock_options *options, const iris_hsl_range *range, const i
 static int read_signature(iris_hsl_range *range, const char *text)
 {
     if (strncmp(text, "hsl:", 4) != 0) {
-        complain("--signature", "hsl:H0-H1,S0-S1,L0-L1, not '%s'", text);
+        complain("--signature", "hsl:" HSL_TEXT ", not '%s'", text);
         return 0;
     }
-    return hsl_text_read(range, "--signature", strchr(text + 4, ',') ? ',' : ':', text + 4);
+    return hsl_text_read(range, "--signature", text + 4);
 }
 
 int cmd_lock(int argc, char **argv)

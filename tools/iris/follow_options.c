@@ -12,10 +12,10 @@ static int read_line(iris_follow_config *config, const char *text)
 {
     if (strncmp(text, "hsl:", 4) == 0) {
         config->kind = IRIS_FOLLOW_COLOR;
-        return hsl_text_read(&config->color, "--line", ':', text + 4);
+        return hsl_text_read(&config->color, "--line", text + 4);
     }
     if (strcmp(text, "dark") != 0 && strcmp(text, "bright") != 0) {
-        complain("--line", "dark, bright, or hsl:H0-H1:S0-S1:L0-L1, not '%s'", text);
+        complain("--line", "dark, bright, or hsl:" HSL_TEXT ", not '%s'", text);
         return 0;
     }
     config->kind = *text == 'd' ? IRIS_FOLLOW_DARK : IRIS_FOLLOW_BRIGHT;

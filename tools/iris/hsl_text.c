@@ -25,14 +25,14 @@ static int are_within(const int32_t bounds[2], int32_t most)
     return bounds[0] >= 0 && bounds[0] <= most && bounds[1] >= 0 && bounds[1] <= most;
 }
 
-int hsl_text_read(iris_hsl_range *range, const char *option, char separator, const char *text)
+int hsl_text_read(iris_hsl_range *range, const char *option, const char *text)
 {
+    const char separator = strchr(text, ',') ? ',' : ':';
     int32_t h[2], s[2], l[2];
     const char *at = text;
     if (!read_bounds(h, &at, separator, 0) || !read_bounds(s, &at, separator, 0) ||
         !read_bounds(l, &at, separator, 1)) {
-        complain(option, "hsl:H0-H1%cS0-S1%cL0-L1 in whole numbers, not 'hsl:%s'", separator, separator,
-                 text);
+        complain(option, "hsl:" HSL_TEXT " in whole numbers, commas or colons, not 'hsl:%s'", text);
         return 0;
     }
     if (!are_within(h, 360)) {

@@ -27,13 +27,15 @@ static void value(json_writer *json, const char *key, int exists, double number,
     exists ? json_number(json, number, decimals) : json_null(json);
 }
 
-static void report_json(const iris_lock_result *result, const char *file)
+static void report_json(const iris_lock_result *result, const lock_frame *frame)
 {
     json_writer json = json_to(stdout);
     const int is_found = result->state == IRIS_LOCK_FOUND, exists = result->id > 0;
     json_open(&json, '{');
     json_key(&json, "file");
-    json_string(&json, file);
+    json_string(&json, frame->file);
+    json_key(&json, "frame");
+    json_integer(&json, frame->number);
     value(&json, "x", is_found, result->box.x, 0);
     value(&json, "y", is_found, result->box.y, 0);
     value(&json, "w", is_found, result->box.w, 0);
@@ -45,16 +47,17 @@ static void report_json(const iris_lock_result *result, const char *file)
     value(&json, "age", exists, result->age, 0);
     json_key(&json, "state");
     json_string(&json, is_found ? "found" : "lost");
+    value(&json, "score", is_found, result->score_permil / 1000.0, 3);
     json_close(&json, '}');
 }
 
-void lock_report(const iris_lock_result *result, const char *file, int json)
+void lock_report(const iris_lock_result *result, const lock_frame *frame, int json)
 {
     if (json) {
-        report_json(result, file);
+        report_json(result, frame);
         return;
     }
-    one_line(stdout, file);
+    one_line(stdout, frame->file);
     if (result->state == IRIS_LOCK_FOUND) {
         printf("  found  at %.1f,%.1f  box %d,%d,%d,%d  area %d  id %d  age %d  score %.2f\n",
                pixels(result->x_q16), pixels(result->y_q16), (int)result->box.x, (int)result->box.y,

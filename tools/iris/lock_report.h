@@ -21,7 +21,7 @@ typedef struct {
     const iris_image *image; /* drawn into */
 } lock_frame;
 
-void lock_report(const iris_lock_result *result, const char *file, int json);
+void lock_report(const iris_lock_result *result, const lock_frame *frame, int json);
 
 /* Writes the frame with the object and its trail, which gets longer. Returns an exit code. */
 int lock_overlay_write(const char *folder, const lock_frame *frame, const iris_lock_result *result,

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #include "complain.h"
@@ -81,8 +82,25 @@ static int collect_paths(char **paths, const char *folder, const input_list *inp
     return EXIT_DONE;
 }
 
+/* Was one picture meant? */
+static int has_picture_name(const char *folder)
+{
+    static const char *const extensions[] = {".bmp", ".pgm", ".ppm", ".pnm"};
+    const size_t length = strlen(folder);
+    for (size_t i = 0; i < sizeof extensions / sizeof extensions[0]; i++) {
+        if (length > 4 && strcasecmp(folder + length - 4, extensions[i]) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 int overlay_folder_begin(const char *folder, const input_list *inputs)
 {
+    if (has_picture_name(folder)) {
+        complain("-o", "a folder for the pictures of all frames, not '%s'", folder);
+        return EXIT_BAD_CALL;
+    }
     if (!make_folder(folder)) {
         complain(folder, "%s", strerror(errno));
         return EXIT_BAD_DATA;

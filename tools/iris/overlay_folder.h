@@ -8,7 +8,7 @@
 #include "iris/image.h"
 
 /* Makes the folder if it is missing, and sees to it that every input has a name of its own there and that none would be
- * overwritten. Complains; returns an exit code. */
+ * overwritten. A folder with the name of a picture is refused. Complains; returns an exit code. */
 int overlay_folder_begin(const char *folder, const input_list *inputs);
 
 /* Writes the picture under the input's name as a BMP; a frame of standard input is frame_00001.bmp, after its number.
