@@ -45,6 +45,8 @@ works "--polarity" find --json --polarity same --scales 1 l.rtable dark.pgm
 grep -q '"shapes":\[\]' out; say $? "dark is not bright"
 works "--polarity reversed" find --json --polarity reversed --scales 1 l.rtable dark.pgm
 near "one size" "$(member scale)" 1 0.025
+works "--scales without a step" find --json --scales 0.9-1.1 l.rtable dark.pgm
+near "x by steps of 0.1" "$(member x)" 45 0.7
 works "--roi" find --json --roi 32,16,64,60 l.rtable dark.pgm
 near "x in the whole picture" "$(member x)" 45 0.7
 works "a gray template" teach --json --entries 60 gray.rtable gray.pgm
@@ -58,6 +60,8 @@ refuses "another verb" 2 "teach or find" search
 refuses "teach without a template" 2 "two files" teach l.rtable
 refuses "an empty template" 1 "no shape to teach" teach e.rtable none.pgm
 [ ! -e e.rtable ]; say $? "no table is left"
+refuses "a template without edges" 1 "edge points, 8 are needed" teach e.rtable none.pgm
+refuses "a far --reference" 1 "farther than 2047 pixels.*nearer --reference" teach --reference 3000,5 e.rtable silhouette.pgm
 refuses "find without pictures" 2 "a table and pictures" find l.rtable
 refuses "no table" 1 "No such file" find nowhere.rtable dark.pgm
 refuses "half a table" 1 "damaged" find cut.rtable dark.pgm

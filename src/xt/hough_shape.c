@@ -6,7 +6,6 @@
 #define VOTERS    2048 /* of more edge points every other one votes */
 #define PEAKS     4    /* of a slice that are looked at */
 #define SAMPLES   64   /* outline points by which they are */
-#define TOLERANCE 32   /* 2 pixels: what confirms an outline point */
 
 void iris_hough_shape_defaults(iris_hough_shape_config *config)
 {
@@ -331,7 +330,7 @@ static void refine(const iris_hough_shape *shape, int32_t count)
         for (int32_t k = 0; k < (int32_t)sizeof reach; k++) {
             iris_hough_shape_fit(&shape->places[i], shape, reach[k] * 16, 1);
         }
-        iris_hough_shape_rate(&shape->places[i], shape, TOLERANCE, 1);
+        iris_hough_shape_score(&shape->places[i], shape);
     }
 }
 
@@ -341,7 +340,8 @@ static iris_hough_shape_place *best(const iris_hough_shape *shape, int32_t count
     iris_hough_shape_place *best = NULL;
     for (int32_t i = 0; i < count; i++) {
         iris_hough_shape_place *place = &shape->places[i];
-        if (!place->is_gone && place->score >= shape->config.min_score && (!best || place->fit > best->fit)) {
+        if (!place->is_gone && place->score >= shape->config.min_score &&
+            (!best || place->score > best->score)) {
             best = place;
         }
     }
@@ -361,7 +361,7 @@ static void suppress(const iris_hough_shape *shape, int32_t count, const iris_ho
             place->is_gone = 1;
             continue;
         }
-        iris_hough_shape_rate(place, shape, TOLERANCE, 1);
+        iris_hough_shape_score(place, shape);
     }
 }
 
@@ -384,7 +384,7 @@ iris_status iris_hough_shape_find(iris_hough_shape_found *found, int32_t capacit
                                                   place->score};
         }
         all++;
-        iris_hough_shape_use(place, shape, TOLERANCE);
+        iris_hough_shape_use(place, shape);
         suppress(shape, places, place);
     }
     *count = all;

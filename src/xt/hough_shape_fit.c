@@ -6,6 +6,7 @@
 #include "hough_shape_parts.h"
 
 #define LIKE     4096 /* edges whose directions differ by less than 22.5 degrees are alike */
+#define EXACT    (LIKE / 2)
 #define UNKNOWNS 4
 
 static int32_t index_cell(const iris_hough_shape *shape, int32_t x, int32_t y)
@@ -45,6 +46,7 @@ typedef struct {
     int32_t reach2;  /* squared distance that an edge point must fall below; then that of the nearest */
     int32_t nearest; /* -1: none */
     int32_t dx_q4, dy_q4;
+    int32_t unlike; /* edge points of other directions within reach */
 } pair;
 
 static int is_alike(iris_angle a, iris_angle b)
@@ -57,11 +59,16 @@ static void search_cells(pair *p, const iris_hough_shape *shape, int32_t from, i
     for (int32_t i = shape->first[from]; i < shape->first[to + 1]; i++) {
         const iris_hough_shape_edge *edge = &shape->edges[i];
         int32_t dx = edge->x * 16 - p->x_q4, dy = edge->y * 16 - p->y_q4;
-        if (dx * dx + dy * dy < p->reach2 && is_alike(edge->angle, p->angle) && !edge->is_used) {
+        if (dx * dx + dy * dy >= p->reach2 || edge->is_used) {
+            continue;
+        }
+        if (is_alike(edge->angle, p->angle)) {
             p->reach2 = dx * dx + dy * dy;
             p->nearest = i;
             p->dx_q4 = dx;
             p->dy_q4 = dy;
+        } else {
+            p->unlike++;
         }
     }
 }
@@ -89,6 +96,7 @@ static void find_nearest(pair *p, const iris_hough_shape *shape, int32_t reach_q
     cells c;
     p->reach2 = reach_q4 * reach_q4;
     p->nearest = -1;
+    p->unlike = 0;
     if (cells_near(&c, shape, p, reach_q4)) {
         for (int32_t row = c.top; row <= c.bottom; row++) {
             search_cells(p, shape, row * shape->indexes_w + c.left, row * shape->indexes_w + c.right);
@@ -234,22 +242,48 @@ void iris_hough_shape_rate(iris_hough_shape_place *place, const iris_hough_shape
                            int32_t step)
 {
     frame f = frame_of(place);
-    int32_t seen = 0, fit = 0, all = 0, reach2 = reach_q4 * reach_q4;
+    int32_t fit = 0, all = 0, exact2 = reach_q4 * reach_q4 * 9 / 16;
     for (int32_t i = 0; i < shape->entries; i += step) {
         pair p;
         all++;
         lay(&p, shape, &f, i);
         find_nearest(&p, shape, reach_q4);
-        if (p.nearest >= 0) {
-            int32_t across = distance_across(&p), exact2 = reach2 * 9 / 16;
-            seen++;
-            fit += across * across < exact2 ? 1000 * (exact2 - across * across) / exact2 : 0;
+        int32_t across = p.nearest < 0 ? reach_q4 : distance_across(&p);
+        if (across * across < exact2) {
+            fit += 1000 * (exact2 - across * across) / exact2;
         }
     }
     if (all > 0) {
-        place->score = 1000 * seen / all;
         place->fit = (int32_t)((int64_t)fit / all * place->scale_q16 / 65536);
     }
+}
+
+/* How exactly the nearest edge point agrees, 0 to EXACT: in full up to `full_q4` across the edge and half of LIKE, and
+ * not at all at twice that. */
+static int32_t exactness(const pair *p, const iris_hough_shape *shape, int32_t full_q4)
+{
+    int32_t across = distance_across(p);
+    int32_t turn = iris_angle_wrap(shape->edges[p->nearest].angle - p->angle);
+    int32_t place = limit(2 * full_q4 - (across < 0 ? -across : across), 0, full_q4);
+    int32_t direction = limit(LIKE - (turn < 0 ? -turn : turn), 0, LIKE / 2);
+    return place * direction / full_q4;
+}
+
+void iris_hough_shape_score(iris_hough_shape_place *place, const iris_hough_shape *shape)
+{
+    frame f = frame_of(place);
+    int32_t full_q4 = limit((int32_t)((int64_t)place->scale_q16 * 8 / 65536), 8, 16), sum = 0;
+    for (int32_t i = 0; i < shape->entries; i++) {
+        pair p;
+        lay(&p, shape, &f, i);
+        find_nearest(&p, shape, TOLERANCE);
+        if (p.nearest >= 0) {
+            sum += exactness(&p, shape, full_q4);
+        } else if (p.unlike > 0) {
+            sum -= EXACT / 2;
+        }
+    }
+    place->score = sum > 0 ? (int32_t)((int64_t)1000 * sum / EXACT / shape->entries) : 0;
 }
 
 /* The edge points of like direction around an outline point are used. */
@@ -264,16 +298,15 @@ static void use_near(const pair *p, const iris_hough_shape *shape, int32_t from,
     }
 }
 
-void iris_hough_shape_use(const iris_hough_shape_place *place, const iris_hough_shape *shape,
-                          int32_t reach_q4)
+void iris_hough_shape_use(const iris_hough_shape_place *place, const iris_hough_shape *shape)
 {
     frame f = frame_of(place);
     for (int32_t i = 0; i < shape->entries; i++) {
         pair p;
         cells c;
         lay(&p, shape, &f, i);
-        p.reach2 = reach_q4 * reach_q4;
-        if (!cells_near(&c, shape, &p, reach_q4)) {
+        p.reach2 = TOLERANCE * TOLERANCE;
+        if (!cells_near(&c, shape, &p, TOLERANCE)) {
             continue;
         }
         for (int32_t row = c.top; row <= c.bottom; row++) {

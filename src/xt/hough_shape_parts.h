@@ -11,7 +11,8 @@
 #define TABLE_CRC         16
 #define TABLE_ENTRY_BYTES 6
 
-#define INDEX_SHIFT 3 /* edge points lie in cells of 8 pixels */
+#define INDEX_SHIFT 3  /* edge points lie in cells of 8 pixels */
+#define TOLERANCE   32 /* 2 pixels: edge points farther away say nothing of an outline point */
 
 /* An outline point seen from the reference point, turned and scaled; and its unit normal, 14 fraction bits, not
  * turned. */
@@ -89,12 +90,14 @@ void iris_hough_shape_index(const iris_hough_shape *shape, const iris_edge_point
 void iris_hough_shape_fit(iris_hough_shape_place *place, const iris_hough_shape *shape, int32_t reach_q4,
                           int32_t step);
 
-/* Sets the place's fit and score by every step-th entry: edge points nearer than reach_q4 confirm it. */
+/* Sets the place's fit by every step-th entry: edge points nearer than reach_q4 confirm it. */
 void iris_hough_shape_rate(iris_hough_shape_place *place, const iris_hough_shape *shape, int32_t reach_q4,
                            int32_t step);
 
+/* Sets the place's score, as the header says it. */
+void iris_hough_shape_score(iris_hough_shape_place *place, const iris_hough_shape *shape);
+
 /* The edge points that confirm the place confirm no other from now on. */
-void iris_hough_shape_use(const iris_hough_shape_place *place, const iris_hough_shape *shape,
-                          int32_t reach_q4);
+void iris_hough_shape_use(const iris_hough_shape_place *place, const iris_hough_shape *shape);
 
 #endif

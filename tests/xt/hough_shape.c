@@ -111,13 +111,55 @@ static void two_thirds_in_clutter_are_found(void **state)
         point_count = 0;
         draw(at, next(0, 1), 0.66);
         add_clutter(800);
-        int32_t count = find(config_of(0.7, 1.3));
-        assert_true(count >= 1 && is_at(&found[0], at));
-        assert_true(found[0].score > 600 && found[0].score < 900);
-        for (int32_t k = 1; k < count; k++) {
-            assert_true(found[k].score < 600);
+        assert_int_equal(find(config_of(0.7, 1.3)), 1);
+        assert_true(is_at(&found[0], at));
+        assert_true(found[0].score > 500 && found[0].score < 750);
+    }
+}
+
+/* A square's outline of 120 pixels; every other 20 of its points lie `aside` pixels aside and are turned by so many
+ * degrees; of each 20 the last `last` are turned by a quarter, or left out when that is negative. */
+static void draw_square(int aside, double turn, int last)
+{
+    point_count = 0;
+    for (int i = 0; i < 4 * 120; i++) {
+        int side = i / 120, odd = i / 20 % 2, is_last = i % 20 >= 20 - abs(last);
+        int along = i % 120 + 30, edge = (side < 2 ? 30 : 150) + odd * aside;
+        int32_t inside = (side % 2 ? 0 : 16384) + (side < 2 ? 0 : 32768) + (is_last ? 16384 : 0);
+        if (!is_last || last > 0) {
+            points[point_count++] =
+                (iris_edge_point){(int16_t)(side % 2 ? edge : along), (int16_t)(side % 2 ? along : edge),
+                                  iris_angle_wrap(inside + (int32_t)lrint(odd * turn / 360 * 65536))};
         }
     }
+}
+
+static int32_t score_of_square(int aside, double turn, int last)
+{
+    iris_hough_shape_config config = config_of(1, 1);
+    config.min_score = 1;
+    config.angle_min = config.angle_max = 0;
+    config.polarity = IRIS_HOUGH_SHAPE_SAME;
+    draw_square(aside, turn, last);
+    return find(config) >= 1 ? found[0].score : 0;
+}
+
+static void score_is_how_exactly_edges_agree(void **state)
+{
+    (void)state;
+    const iris_hough_shape_teaching by = {0, 480, 0, 0, 0};
+    draw_square(0, 0, 0);
+    assert_int_equal(iris_hough_shape_teach(table, sizeof table, &table_bytes, points, point_count, &by),
+                     IRIS_OK);
+    assert_int_equal(score_of_square(0, 0, 0), 1000);
+    assert_int_equal(score_of_square(0, 11, 0), 1000);
+    assert_in_range(score_of_square(0, 16.875, 0), 740, 770);
+    assert_in_range(score_of_square(0, 22, 0), 510, 570);
+    assert_int_equal(score_of_square(1, 0, 0), 1000); /* half a pixel to either side */
+    assert_in_range(score_of_square(2, 0, 0), 1, 300);
+    /* of the last ten one neighbor or two on each side are near enough */
+    assert_in_range(score_of_square(0, 0, -10), 580, 700);
+    assert_in_range(score_of_square(0, 0, 10), 380, 470);
 }
 
 static void exact_to_a_fraction_of_a_pixel(void **state)
@@ -192,11 +234,13 @@ static void polarity_bounds_and_score_are_kept(void **state)
         assert_int_equal(find(config), 0);
     }
     iris_hough_shape_config config = config_of(0.9, 1.1);
-    config.min_score = found[0].score;
+    config.min_score = 600;
     config.angle_min = 4000; /* 0.5 is 5215 */
     config.angle_max = 6000;
     assert_int_equal(find(config), 1);
     assert_true(is_at(&found[0], at));
+    config.min_score = found[0].score;
+    assert_int_equal(find(config), 1);
     config.min_score = found[0].score + 1;
     assert_int_equal(find(config), 0);
     config.min_score = 600;
@@ -347,8 +391,8 @@ static void the_smallest_scale(void **state)
     config.scale_step_q16 = 500000;
     config.min_score = 1;
     point_count = 0;
-    for (int32_t i = 0; i < 64; i++) { /* one pixel, all directions */
-        points[point_count++] = (iris_edge_point){120, 90, iris_angle_wrap(i * 1024)};
+    for (int i = 0; i < 8; i++) {
+        draw((instance){120, 90, 0, 0.07, 0}, 0, 1); /* smaller than is looked for */
     }
     int32_t count = find(config);
     assert_true(count > 0);
@@ -426,6 +470,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_thirds_in_clutter_are_found),
+        cmocka_unit_test(score_is_how_exactly_edges_agree),
         cmocka_unit_test(exact_to_a_fraction_of_a_pixel),
         cmocka_unit_test(several_at_once_best_first),
         cmocka_unit_test(polarity_bounds_and_score_are_kept),

@@ -27,8 +27,8 @@ static const char find_help[] =
     "Where the shape of a table made by iris shape teach is, best first.\n\n"
     "  --angles STEP     of all directions, each so many degrees, 0.5 to 360; default 5\n"
     "  --scales A-B:STEP sizes from A to B times the template's, 0.1 to 8; default 0.7-1.4:0.1.\n"
-    "                    One number alone is the only size\n"
-    "  --score S         the least share of the outline that is seen, 0.001 to 1; default 0.4\n"
+    "                    STEP may be left out: 0.1. One number alone is the only size\n"
+    "  --score S         the least share of the outline that is clearly seen, 0.001 to 1; default 0.4\n"
     "  --count N         the best N at most, 1 to 32; default 32\n"
     "  --polarity P      either (the default); same: the shape is as bright or dark against its\n"
     "                    surroundings as the template; reversed: the other way round\n"
@@ -37,8 +37,8 @@ static const char find_help[] =
     "  --low L, --high H Canny's thresholds, 0 to 32767. Default: from the picture, by its noise, at\n"
     "                    most 40 and 100\n" OPERATION_OPTIONS "\n"
     "JSON has shapes, a list of x, y (where the template's reference point lies, pixels), angle_deg\n"
-    "(clockwise as seen), scale, and score (the share of the outline that is seen). OUT is the\n"
-    "picture with the outlines drawn in.\n\n"
+    "(clockwise as seen), scale, and score (the share of the outline that is clearly seen).\n"
+    "OUT is the picture with the outlines drawn in.\n\n"
     "example: iris shape find key.rtable desk.bmp --scales 0.7-1.4:0.1 -o seen.bmp\n";
 
 typedef struct {
@@ -181,7 +181,7 @@ static void print(FILE *out, const operation_stage *stage)
     }
 }
 
-/* A-B:STEP, or one number. */
+/* A-B:STEP, A-B, or one number. */
 static int read_scales(iris_hough_shape_config *config, const char *text)
 {
     char copy[96];
@@ -191,9 +191,12 @@ static int read_scales(iris_hough_shape_config *config, const char *text)
         memcpy(copy, text, length + 1);
         char *dash = strchr(copy, '-'), *colon = strchr(copy, ':');
         const char *parts[3] = {copy, dash ? dash + 1 : copy, colon ? colon + 1 : "0.1"};
-        int fits = !dash == !colon && (!dash || dash < colon);
-        if (dash && colon) {
-            *dash = *colon = '\0';
+        int fits = !colon || (dash && dash < colon);
+        if (dash) {
+            *dash = '\0';
+        }
+        if (colon) {
+            *colon = '\0';
         }
         for (int i = 0; i < 3; i++) {
             fits = fits && args_q16(numbers[i], i < 2 ? IRIS_HOUGH_SHAPE_SCALE_MIN : 66,

@@ -30,6 +30,8 @@ static const char help[] =
     "                    the outline, entries, and bytes\n\n"
     "example: iris shape teach key.rtable key.bmp\n";
 
+#define POINTS_MAX 32767 /* of a template */
+
 typedef struct {
     uint8_t bytes[IRIS_HOUGH_SHAPE_TABLE_BYTES(IRIS_HOUGH_SHAPE_ENTRIES_MAX)];
     size_t count;
@@ -283,6 +285,23 @@ static void say(const teaching *t, const table *made, int32_t points)
     }
 }
 
+/* Why points make no table. */
+static void say_why(const teaching *t, int32_t points)
+{
+    if (points < IRIS_HOUGH_SHAPE_ENTRIES_MIN) {
+        complain(t->file, "%d edge points, %d are needed: no shape to teach", (int)points,
+                 IRIS_HOUGH_SHAPE_ENTRIES_MIN);
+    } else if (points > POINTS_MAX) {
+        complain(t->file, "%d edge points, more than %d: no shape to teach; make the picture smaller",
+                 (int)points, POINTS_MAX);
+    } else {
+        complain(t->file,
+                 "the outline is farther than %d pixels from the reference point: choose a nearer "
+                 "--reference, or make the picture smaller",
+                 IRIS_HOUGH_SHAPE_REACH_MAX);
+    }
+}
+
 int shape_teach(int argc, char **argv)
 {
     static teaching t;
@@ -297,10 +316,7 @@ int shape_teach(int argc, char **argv)
         iris_hough_shape_teach(made.bytes, sizeof made.bytes, &made.count, points, count, &t.teaching);
     free(points);
     if (status != IRIS_OK) {
-        complain(t.file,
-                 "%d edge points, and the farthest not within %d pixels of the reference point: no shape "
-                 "to teach",
-                 (int)count, IRIS_HOUGH_SHAPE_REACH_MAX);
+        say_why(&t, count);
         return EXIT_BAD_DATA;
     }
     if (!file_write(t.output, write_table, &made)) {
