@@ -108,6 +108,21 @@ iris_status iris_hough_peaks(iris_hough_line *lines, int32_t capacity, int32_t *
     return found > capacity ? IRIS_ERR_FULL : IRIS_OK;
 }
 
+static int32_t side_of(int32_t side)
+{
+    return side < 1 ? 1 : side > IRIS_SIDE_MAX ? IRIS_SIDE_MAX : side;
+}
+
+/* The part of all theta bins that a point votes in. One more than its spread is wide, as both ends count. */
+static int64_t share_q16(const iris_hough_config *by)
+{
+    int32_t turn = by->full_circle ? 2 * HOUGH_HALF_TURN : HOUGH_HALF_TURN;
+    int32_t span = (int32_t)(((uint32_t)by->angle_max - (uint32_t)by->angle_min) & (uint32_t)(turn - 1));
+    int32_t bins = by->theta_bins > 0 ? by->theta_bins : 1;
+    int64_t wide = 2 * (int64_t)(by->spread > 0 ? by->spread : 0) + (span == 0 ? turn : span) / bins;
+    return wide < turn ? wide * 65536 / turn : 65536;
+}
+
 int32_t iris_hough_votes_beyond_chance(const iris_hough_config *config, iris_size size, int32_t points,
                                        int with_direction)
 {
@@ -115,12 +130,11 @@ int32_t iris_hough_votes_beyond_chance(const iris_hough_config *config, iris_siz
     iris_hough_config by;
     iris_hough_defaults(&by);
     by = config ? *config : by;
-    int64_t shorter = size.w < size.h ? size.w : size.h, share_q16 = 65536;
-    if (with_direction && by.spread >= 0) {
-        share_q16 = (int64_t)by.spread * 131072 / (by.full_circle ? 2 * HOUGH_HALF_TURN : HOUGH_HALF_TURN);
-    }
+    int64_t w = side_of(size.w), h = side_of(size.h);
+    int64_t diagonal_q8 = iris_sqrt_u64((uint64_t)(w * w + h * h) << 16);
     int64_t step = hough_outside(by.rho_step, 1, IRIS_HOUGH_RHO_STEP_MAX) ? 1 : by.rho_step;
-    int64_t mean_q16 = (points > 0 ? points : 0) * step * share_q16 / (shorter > 0 ? shorter : 1);
-    int64_t votes = (mean_q16 >> 16) + (iris_sqrt_u64((uint64_t)mean_q16 * (FACTOR * FACTOR)) >> 8);
+    int64_t votes_q16 = (points > 0 ? points : 0) * step * (with_direction ? share_q16(&by) : 65536);
+    int64_t mean_q16 = votes_q16 * 256 / (w * h * 65536 / diagonal_q8);
+    int64_t votes = (mean_q16 * 9 / 8 >> 16) + (iris_sqrt_u64((uint64_t)mean_q16 * (FACTOR * FACTOR)) >> 8);
     return (int32_t)(votes < LEAST ? LEAST : votes > HOUGH_VOTES_MAX ? HOUGH_VOTES_MAX : votes);
 }

@@ -252,9 +252,10 @@ static void votes_by_chance(void **state)
         config.spread = (iris_angle)any(0, IRIS_HOUGH_SPREAD_MAX);
         config.full_circle = any(0, 1);
         int32_t points = i % 10 ? any(0, 100000) : any(0, 1 << 30), directed = any(0, 1);
-        double mean = (double)points * config.rho_step / (size.w < size.h ? size.w : size.h);
-        mean *= directed ? 2.0 * config.spread / (config.full_circle ? 65536 : 32768) : 1;
-        double votes = fmin(fmax(mean + 12 * sqrt(mean), 25), 65535);
+        double mean = (double)points * config.rho_step * hypot(size.w, size.h) / size.w / size.h;
+        double turn = config.full_circle ? 65536 : 32768;
+        mean *= directed ? fmin((2.0 * config.spread + floor(32768.0 / 180)) / turn, 1) : 1;
+        double votes = fmin(fmax(mean * 9 / 8 + 12 * sqrt(mean), 25), 65535);
         int32_t given = iris_hough_votes_beyond_chance(&config, size, points, directed);
         assert_true(fabs(given - votes) <= 2 + votes / 1000);
     }
@@ -273,6 +274,39 @@ static void votes_by_chance(void **state)
             assert_int_equal(iris_hough_vote_edges(&hough, &point, 1), IRIS_OK);
         }
         int32_t found;
+        assert_int_equal(iris_hough_peaks(NULL, 0, &found, &hough), IRIS_OK);
+        assert_int_equal(found, 0);
+    }
+}
+
+/* Edges of noise come in pieces, and more at some angles than at others: the larger the picture, the more that tells. */
+static void noise_has_no_lines(void **state)
+{
+    (void)state;
+    static const iris_size sizes[] = {{160, 120}, {320, 240}, {640, 480}, {1024, 768}};
+    static const int32_t steps[] = {1, 1, 2, 4};
+    static uint8_t pixels[1024 * 768];
+    static iris_edge_point points[1024 * 768];
+    iris_scratch scratch;
+    for (int i = 0; i < 8; i++) {
+        iris_image gray;
+        int32_t found, count, levels = i < 4 ? 255 : 60;
+        iris_size size = sizes[i % 4];
+        iris_canny_config canny;
+        iris_canny_defaults(&canny);
+        canny.low = 12;
+        canny.high = 30;
+        for (int32_t k = 0; k < size.w * size.h; k++) {
+            pixels[k] = (uint8_t)any(0, levels);
+        }
+        assert_int_equal(iris_image_wrap(&gray, pixels, sizeof pixels, size, 0, IRIS_GRAY8), IRIS_OK);
+        scratch = arena(sizeof memory);
+        assert_int_equal(iris_edge_points(points, 1024 * 768, &count, &gray, &canny, &scratch), IRIS_OK);
+        assert_true(count > size.w * size.h / 100);
+        iris_hough_config config = config_of(180, steps[i % 4], 1);
+        config.min_votes = iris_hough_votes_beyond_chance(&config, size, count, 1);
+        iris_hough hough = begun(size, &config, &scratch);
+        assert_int_equal(iris_hough_vote_edges(&hough, points, count), IRIS_OK);
         assert_int_equal(iris_hough_peaks(NULL, 0, &found, &hough), IRIS_OK);
         assert_int_equal(found, 0);
     }
@@ -328,6 +362,7 @@ int main(void)
         cmocka_unit_test(votes_saturate),
         cmocka_unit_test(the_largest_image),
         cmocka_unit_test(votes_by_chance),
+        cmocka_unit_test(noise_has_no_lines),
         cmocka_unit_test(wrong_calls_are_refused),
     };
     return cmocka_run_group_tests_name("hough, directed", tests, NULL, NULL);

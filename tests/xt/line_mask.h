@@ -12,7 +12,7 @@
 #define DEGREE (32768.0 / 180)
 
 static uint32_t words[(SIDE / 32 + 3) * SIDE];
-static IRIS_SCRATCH_BUFFER(memory, 1 << 20);
+static IRIS_SCRATCH_BUFFER(memory, 1 << 22);
 
 static inline iris_scratch arena(size_t bytes)
 {

@@ -23,11 +23,12 @@ static const char help[] =
     "  --angles LO,HI    only lines at LO to HI degrees: 0 upright, positive when leaning right,\n"
     "                    -90 to 90 (0 to 360 with --full-circle); LO above HI: through the\n"
     "                    level lines\n"
-    "  --theta-bins N    angles that are told apart, 1 to 4096; default 180\n"
+    "  --theta-bins N    angles that are told apart, 1 to 4096; default 180, and more for sides\n"
+    "                    above 688 pixels (twice as many with --full-circle)\n"
     "  --rho-step N      1, 2, 4 to 64 pixels; default by the picture's size\n"
     "  --gap N           the longest gap in a segment, pixels; default 8\n"
     "  --min-length N    the shortest segment, pixels; default 20\n"
-    "  --count N         the best N lines at most\n"
+    "  --count N         the best N lines at most, 1 to 1024; default 256\n"
     "  --full-circle     theta from 0 to 360 degrees: where it gets brighter, so that the two\n"
     "                    sides of a stripe differ; of a mask: with rho not below 0\n"
     "  --accumulator OUT writes the votes as a gray picture, too: a row for each angle, from LO\n"
@@ -35,18 +36,22 @@ static const char help[] =
     "JSON has lines, each a segment: rho and theta_deg are those of its line,\n"
     "x cos theta + y sin theta = rho, with x and y counted from the middle of the picture (of the\n"
     "part with --roi): rho is signed. Then votes, and its ends x0, y0 (the lower one), x1, y1.\n"
+    "points and voting are the numbers of edge points (of white pixels of a mask) and of those that\n"
+    "vote: of more than 1048576 edge points an even selection.\n"
     "With -o the segments are drawn in color.\n\n"
     "example: iris lines --json --votes 60 road.bmp -o found.bmp\n";
 
-#define LINES_MAX    4096
-#define SEGMENTS_MAX 65536
+#define LINES_MAX     1024
+#define LINES_DEFAULT 256
+#define SEGMENTS_MAX  65536
+#define POINTS_MAX    1048576 /* lines, each of which looks at all points, take seconds then */
 
 typedef struct {
     iris_canny_config canny;
     iris_hough_config hough;
     iris_hough_segment_config segments;
     int is_mask;
-    int32_t votes, rho_step; /* 0: by the picture's size */
+    int32_t votes, rho_step; /* 0: by the picture's size, as hough.theta_bins */
     int32_t count;           /* most lines */
     const char *accumulator; /* null: not written */
 } settings;
@@ -54,6 +59,7 @@ typedef struct {
 /* What apply leaves for report, at the front of the room. */
 typedef struct {
     int32_t count, lines;
+    int32_t points, voting;
     int full_circle;
     iris_hough_segment *segments;
 } finding;
@@ -62,7 +68,6 @@ typedef struct {
 typedef struct {
     const settings *by;
     const iris_image *mask; /* null: edges vote */
-    int32_t selected;       /* pixels of the mask */
     iris_edge_list edges;
     iris_hough hough;
     iris_hough_line *lines;
@@ -79,18 +84,31 @@ static int32_t theta_separation(const iris_hough_config *config)
     return bins < 1 ? 1 : bins > IRIS_HOUGH_SEPARATION_MAX ? IRIS_HOUGH_SEPARATION_MAX : bins;
 }
 
-/* Bins that fit each other (hough.h): an angle moves a line's ends by 1 to 3 steps of rho. */
+/* Bins that fit each other (hough.h): an angle moves a line's ends by 1 to 3 steps of rho. Steps stay at 2 pixels, as a
+ * line has to be as near to its points as its segments reach, until there are 1440 angles in half a turn. */
+static void fit_bins(iris_hough_config *config, const settings *by, iris_size size)
+{
+    int32_t longer = size.w > size.h ? size.w : size.h, side = 344;
+    int has_bins = by->hough.theta_bins > 0;
+    if (!has_bins) {
+        config->theta_bins = config->full_circle ? 360 : 180;
+    }
+    int32_t most_bins = has_bins ? 0 : 8 * config->theta_bins;
+    config->rho_step = 1;
+    for (; longer > side && config->rho_step < IRIS_HOUGH_RHO_STEP_MAX; side *= 2) {
+        if (config->rho_step == 1 || config->theta_bins >= most_bins) {
+            config->rho_step *= 2;
+        } else {
+            config->theta_bins *= 2;
+        }
+    }
+    config->rho_step = by->rho_step > 0 ? by->rho_step : config->rho_step;
+}
+
 static iris_hough_config config_of(const settings *by, iris_size size, int32_t points, int is_mask)
 {
     iris_hough_config config = by->hough;
-    int32_t longer = size.w > size.h ? size.w : size.h;
-    config.rho_step = by->rho_step;
-    if (by->rho_step == 0) {
-        config.rho_step = 1;
-        while (longer > 344 * config.rho_step && config.rho_step < IRIS_HOUGH_RHO_STEP_MAX) {
-            config.rho_step *= 2;
-        }
-    }
+    fit_bins(&config, by, size);
     config.min_votes =
         by->votes > 0 ? by->votes : iris_hough_votes_beyond_chance(&config, size, points, !is_mask);
     config.theta_separation = theta_separation(&config);
@@ -111,20 +129,24 @@ static int32_t selected_pixels(const iris_image *mask)
     return sum;
 }
 
+static int32_t lesser(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
 /* Room for results and points. Of a mask's pixels at least one in a segment each. */
 static int make_room(search *in, operation_stage *stage)
 {
-    iris_size size = in->edges.size;
-    size_t points = in->mask ? 0 : (size_t)size.w * (size_t)size.h;
-    in->selected = in->mask ? selected_pixels(in->mask) : 0;
-    int32_t most = in->mask ? in->selected : size.w * size.h;
-    size_t segments = (size_t)(most < SEGMENTS_MAX ? most : SEGMENTS_MAX);
+    int32_t selected = in->mask ? selected_pixels(in->mask) : 0;
+    int32_t most = in->mask ? selected : lesser(in->edges.size.w * in->edges.size.h, POINTS_MAX);
+    size_t segments = (size_t)lesser(most, SEGMENTS_MAX), points = in->mask ? 0 : (size_t)most;
     char *room = stage_room(stage, sizeof *in->found + segments * sizeof *in->found->segments +
                                        LINES_MAX * sizeof *in->lines + points * sizeof *in->edges.points);
     if (!room) {
         return 0;
     }
     in->found = (finding *)(void *)room;
+    in->found->points = in->found->voting = selected;
     in->found->segments = (iris_hough_segment *)(void *)(in->found + 1);
     in->lines = (iris_hough_line *)(void *)(in->found->segments + segments);
     in->edges.points = (iris_edge_point *)(void *)(in->lines + LINES_MAX);
@@ -138,11 +160,12 @@ static iris_status vote(search *in, const iris_image *gray, iris_scratch *scratc
     iris_size size = in->edges.size;
     iris_status status = IRIS_OK;
     if (gray) {
-        status =
-            iris_edge_points(in->edges.points, size.w * size.h, &in->edges.count, gray, &by->canny, scratch);
+        int32_t most = lesser(size.w * size.h, POINTS_MAX);
+        status = iris_edge_points(in->edges.points, most, &in->found->points, gray, &by->canny, scratch);
+        status = status == IRIS_ERR_FULL ? IRIS_OK : status;
+        in->edges.count = in->found->voting = lesser(in->found->points, most);
     }
-    iris_hough_config config =
-        config_of(by, size, in->mask ? in->selected : in->edges.count, in->mask != NULL);
+    iris_hough_config config = config_of(by, size, in->found->voting, in->mask != NULL);
     if (status == IRIS_OK) {
         status = iris_hough_begin(&in->hough, size, &config, scratch);
     }
@@ -156,7 +179,8 @@ static iris_status vote(search *in, const iris_image *gray, iris_scratch *scratc
     return status == IRIS_ERR_FULL ? IRIS_OK : status;
 }
 
-/* Moves the edge points that are far from the line to the front; returns how many. Segments then look at the others alone. */
+/* Moves the edge points that are far from the line to the front; returns how many. Segments then look at the others
+ * alone. */
 static int32_t set_far_apart(const iris_edge_list *edges, const iris_hough_line *line)
 {
     int32_t w = edges->size.w, h = edges->size.h, far = 0;
@@ -193,9 +217,10 @@ static iris_status collect(search *in, iris_scratch *scratch)
         int32_t far = in->mask ? 0 : set_far_apart(&in->edges, &in->lines[i]);
         in->edges.points += far;
         in->edges.count -= far;
+        int has_too_few = !in->mask && in->edges.count < in->hough.config.min_votes;
         do {
             iris_hough_segment segment;
-            status = next_segment(&segment, in, i, scratch);
+            status = has_too_few ? IRIS_ERR_END : next_segment(&segment, in, i, scratch);
             if (status == IRIS_OK && found->count == SEGMENTS_MAX) {
                 return IRIS_ERR_FULL;
             }
@@ -240,9 +265,11 @@ static const iris_image *overlay(const iris_image *input, const finding *found, 
 static size_t scratch_bytes(const search *in)
 {
     const iris_size size = in->edges.size;
-    const size_t bins = (size_t)in->by->hough.theta_bins;
+    iris_hough_config config = in->by->hough;
+    fit_bins(&config, in->by, size);
     return IRIS_EDGE_POINTS_SCRATCH_BYTES(size.w, size.h, in->by->canny.sigma_q16) +
-           IRIS_HOUGH_SCRATCH_BYTES(size.w, size.h, bins) + IRIS_HOUGH_SEGMENT_SCRATCH_BYTES(size.w, size.h);
+           IRIS_HOUGH_SCRATCH_BYTES(size.w, size.h, config.theta_bins) +
+           IRIS_HOUGH_SEGMENT_SCRATCH_BYTES(size.w, size.h);
 }
 
 static int apply(iris_image *result, const iris_image *input, operation_stage *stage)
@@ -310,6 +337,10 @@ static void report(json_writer *json, const operation_stage *stage)
         json_close(json, '}');
     }
     json_close(json, ']');
+    json_key(json, "points");
+    json_integer(json, found->points);
+    json_key(json, "voting");
+    json_integer(json, found->voting);
 }
 
 static void print(FILE *out, const operation_stage *stage)
@@ -317,7 +348,11 @@ static void print(FILE *out, const operation_stage *stage)
     const finding *found = stage->finding;
     int32_t x, y;
     stage_origin(&x, &y, stage);
-    fprintf(out, "%s: %d lines in %d segments\n", stage->file, (int)found->lines, (int)found->count);
+    fprintf(out, "%s: %d lines in %d segments", stage->file, (int)found->lines, (int)found->count);
+    if (found->voting < found->points) {
+        fprintf(out, " (%d of %d edge points voted)", (int)found->voting, (int)found->points);
+    }
+    fputc('\n', out);
     for (int32_t i = 0; i < found->count; i++) {
         const iris_hough_segment *s = &found->segments[i];
         fprintf(out, "  rho %.1f, theta %.1f degrees, %d votes: %d,%d to %d,%d\n", s->line.rho_q16 / 65536.0,
@@ -381,8 +416,9 @@ static void set_defaults(settings *by)
     by->canny.low = 12; /* low: votes by chance are known, and lines may be faint */
     by->canny.high = 30;
     iris_hough_defaults(&by->hough);
+    by->hough.theta_bins = 0;
     iris_hough_segment_defaults(&by->segments);
-    by->count = LINES_MAX;
+    by->count = LINES_DEFAULT;
 }
 
 static int check(settings *by, const operation_words *words, const char *low, const char *high)
@@ -429,7 +465,6 @@ static int parse(void *memory, operation_words *words)
         return 0;
     }
     by->hough.full_circle = full_circle;
-    by->hough.theta_bins = full_circle ? 360 : 180;
     const number numbers[] = {{"--low", low, &by->canny.low, 0, IRIS_CANNY_THRESHOLD_END - 1},
                               {"--high", high, &by->canny.high, 0, IRIS_CANNY_THRESHOLD_END - 1},
                               {"--votes", votes, &by->votes, 1, 65535},
