@@ -74,7 +74,7 @@ run --teach 13,23,4,4 --json 1.ppm 2.ppm
 
 # --- what is wrong ---
 for picture in one.bmp one.PPM; do
-    refuses "a picture for all frames ($name)" 2 "a folder for the pictures of all frames, not '$name'" \
+    refuses "a picture for all frames ($picture)" 2 "a folder for the pictures of all frames, not '$picture'" \
         --teach 10,20,10,10 -o $picture 1.ppm
     [ ! -e $picture ]; say $? "no folder $picture"
 done
