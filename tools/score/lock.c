@@ -142,6 +142,24 @@ static int throw_ball(const score *s, const box *boxes, int count, slip by, doub
     return good;
 }
 
+/* The rectangle shows a part of the ball. */
+static void score_parts(score *s, const box *boxes, int count)
+{
+    static const slip parts[] = {{0, 0, 0.3}, {0, 0, 0.4},  {0, 0, 0.5},
+                                 {1, 1, 0.5}, {-1, 2, 0.5}, {0, 0, 0.6}};
+    enum { PARTS = sizeof parts / sizeof parts[0] };
+    double overlaps = 0;
+    int worst = count, sum = 0;
+    for (int i = 0; i < PARTS; i++) {
+        int right = throw_ball(s, boxes, count, parts[i], &overlaps);
+        sum += right;
+        worst = right < worst ? right : worst;
+    }
+    score_row(s, "the same, taught by a part, 0.3 to 0.6 of each side: 6 ways", NULL, SCORE_INFORMATION,
+              "%d of %d frames, worst %d of %d; mean IoU %.2f", sum, PARTS * count, worst, count,
+              overlaps / (PARTS * count));
+}
+
 static void score_ball(score *s)
 {
     static const slip slips[] = {{3, 0, 1},   {-3, 0, 1},    {0, 3, 1},    {0, -3, 1},
@@ -165,6 +183,7 @@ static void score_ball(score *s)
     score_row(s, "the same, taught 2-3 px off, 20 % smaller, larger: 8 ways", NULL, SCORE_INFORMATION,
               "%d of %d frames, worst %d of %d; mean IoU %.2f", sum, SLIPS * count, worst, count,
               others / (SLIPS * count));
+    score_parts(s, boxes, count);
 }
 
 /* --- rendered sequences --- */
