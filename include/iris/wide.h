@@ -56,8 +56,8 @@ int iris_wide_bits(iris_wide a);
 /* a / 2^bits, rounded and saturated. bits: 0 to 127. */
 int64_t iris_wide_round_shift_sat(iris_wide a, int bits);
 
-/* a / b, rounded to nearest (halves away from 0) and saturated. With b = 0: the largest or smallest value by the sign of
- * a, 0 for 0 / 0. At most 64 steps of a shift and a subtraction. */
+/* a / b, rounded to nearest (halves away from 0) and saturated. With b = 0: the largest or smallest value by the sign
+ * of a, 0 for 0 / 0. At most 64 steps of a shift and a subtraction. */
 int64_t iris_wide_div_sat(iris_wide a, int64_t b);
 
 /* Numbers of the same kind, or an integer and an iris_q32. */

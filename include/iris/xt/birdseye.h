@@ -4,9 +4,9 @@
  * wide, as straight, and as far apart as they are on the floor, and angles are true. A map is wrong for
  * whatever rises above the floor: it leans away from the camera.
  *
- * Where in the camera's picture a pixel comes from is computed exactly every 128 pixels of a row, or as often as is needed to
- * be within 1/32 of a pixel between them, where it is interpolated; levels are bilinear, from 256 steps between
- * pixels.
+ * Where in the camera's picture a pixel comes from is computed exactly every 128 pixels of a row, or as often as is
+ * needed to be within 1/32 of a pixel between them, where it is interpolated; levels are bilinear, from 256 steps
+ * between pixels.
  */
 #ifndef IRIS_XT_BIRDSEYE_H
 #define IRIS_XT_BIRDSEYE_H
@@ -54,8 +54,8 @@ iris_status iris_birdseye_draw(const iris_image *dst, const iris_image *src, con
  * The same errors, and IRIS_ERR_RANGE: y outside of the map. O(w). */
 iris_status iris_birdseye_row(void *pixels, const iris_birdseye *birdseye, const iris_image *src, int32_t y);
 
-/* Where in the picture the pixels of row y come from, window.size.w places; INT32_MIN for both coordinates where the camera
- * sees nothing. What iris_birdseye_row draws from, but that it rounds to 1/256 of a pixel.
+/* Where in the picture the pixels of row y come from, window.size.w places; INT32_MIN for both coordinates where the
+ * camera sees nothing. What iris_birdseye_row draws from, but that it rounds to 1/256 of a pixel.
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: y outside of the map. O(w). */
 iris_status iris_birdseye_places(iris_place *places, const iris_birdseye *birdseye, int32_t y);
 

@@ -1,5 +1,5 @@
-/* IRIS-XT - thresholds for Canny's edges, from the picture: low where light is even and noise low, so that faint edges are
- * found, and not lower than noise and texture allow.
+/* IRIS-XT - thresholds for Canny's edges, from the picture: low where light is even and noise low, so that faint edges
+ * are found, and not lower than noise and texture allow.
  *
  * Most of a picture is no edge. So the median of the gradient says how much there is of noise and texture: of Gaussian
  * noise alone, two pixels in a thousand are above three times the median, and none of a frame above six times. An
@@ -23,8 +23,8 @@ extern "C" {
      IRIS_BORDER_ROWS_BYTES(w, 1, 1, 1) + 3u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
 
 /* Sets config's high to six times the median of |dx| + |dy| of the 3x3 Sobel operator over src, IRIS_GRAY8, smoothed by
- * config's sigma_q16, but at least IRIS_CANNY_ADAPT_HIGH_MIN and at most IRIS_CANNY_ADAPT_HIGH_MAX; and low to two fifths
- * of it. Beyond the picture its edge goes on.
+ * config's sigma_q16, but at least IRIS_CANNY_ADAPT_HIGH_MIN and at most IRIS_CANNY_ADAPT_HIGH_MAX; and low to two
+ * fifths of it. Beyond the picture its edge goes on.
  *
  * IRIS_ERR_ARG: null pointer, or sigma_q16 neither 0 nor within its limits; the errors of iris_image_check;
  * IRIS_ERR_FORMAT; IRIS_ERR_SCRATCH. config is untouched then. O(pixels * radius). */

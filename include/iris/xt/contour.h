@@ -2,7 +2,8 @@
  *
  * Selected pixels belong together when they touch by a side or a corner, what lies between them when it touches by a
  * side. Each part has one outer border and one border for each of its holes. A border is followed along the sides of
- * pixels, with the selected pixels at its right hand: outer borders run clockwise as seen, those of holes the other way.
+ * pixels, with the selected pixels at its right hand: outer borders run clockwise as seen, those of holes the other
+ * way.
  *
  * It always ends. A step leads from one side of a pixel to the next by looking at two pixels, and no two sides lead to
  * the same one: at a corner the step back is as certain as the step ahead. So the way from a side is a circle that
@@ -22,8 +23,8 @@
 extern "C" {
 #endif
 
-/* One border. What it encloses is, for an outer border, its part with all holes filled; for a hole, the hole with all that
- * lies in it. */
+/* One border. What it encloses is, for an outer border, its part with all holes filled; for a hole, the hole with all
+ * that lies in it. */
 typedef struct {
     int32_t x,
         y; /* the first pixel, row by row from the left, of what it encloses; not selected for a hole */
@@ -31,10 +32,10 @@ typedef struct {
     int32_t parent;  /* the border right around this one: always a smaller index; -1: none */
     iris_rect box;   /* of what it encloses */
     int32_t area;    /* pixels that it encloses */
-    int32_t
-        points; /* selected pixels that one comes by along the border, at least 1; see iris_contour_points */
-    int32_t
-        diagonals; /* so many of the steps from point to point are diagonal, the others level or upright */
+    /* selected pixels that one comes by along the border, at least 1; see iris_contour_points */
+    int32_t points;
+    /* so many of the steps from point to point are diagonal, the others level or upright */
+    int32_t diagonals;
 } iris_contour;
 
 typedef struct {
@@ -49,7 +50,8 @@ typedef struct {
  *
  * IRIS_ERR_FULL: there are more than capacity; those that enclose most were kept (of equal ones those that come first),
  * in the same order. A border encloses less than the one around it, so no parent is missing.
- * IRIS_ERR_ARG: null pointer, or a negative capacity; the errors of iris_image_check; IRIS_ERR_FORMAT; IRIS_ERR_SCRATCH.
+ * IRIS_ERR_ARG: null pointer, or a negative capacity; the errors of iris_image_check; IRIS_ERR_FORMAT;
+ * IRIS_ERR_SCRATCH.
  * O(pixels / 32 + sides of pixels along borders + count log capacity). */
 iris_status iris_contour_find(iris_contour *contours, int32_t capacity, int32_t *count,
                               const iris_image *mask, iris_scratch *scratch);

@@ -31,7 +31,8 @@ typedef struct {
 
 /* The pixels that iris_canny marks in src, IRIS_GRAY8, row by row, each from the left, and the direction of the 3x3
  * Sobel gradient of the smoothed picture there (the nearest angle or one beside it). config null: the defaults. Beyond
- * the picture its edge goes on (IRIS_BORDER_REPLICATE). *count is the number of all. points may be null when capacity is 0.
+ * the picture its edge goes on (IRIS_BORDER_REPLICATE). *count is the number of all. points may be null when capacity
+ * is 0.
  *
  * IRIS_ERR_FULL: more edges than capacity; points has `capacity` of them, evenly selected.
  * IRIS_ERR_ARG: null pointer, negative capacity, or what canny.h says; the errors of iris_image_check;

@@ -1,15 +1,17 @@
 /* IRIS-XT - the floor: from pixels to millimeters and true angles, and back.
  *
- * A camera that looks at a flat floor sees it by a homography: nine numbers that four marks on the floor determine, with
- * no other knowledge of the camera. Lay marks down, measure where they are, read off where the picture shows them,
+ * A camera that looks at a flat floor sees it by a homography: nine numbers that four marks on the floor determine,
+ * with no other knowledge of the camera. Lay marks down, measure where they are, read off where the picture shows them,
  * and iris_floor_fit does the rest. More marks than four even out the errors of reading. A lens that bends
  * straight lines is not corrected.
  *
  * The floor's millimeters: x to the right, y ahead of the robot; where (0, 0) is is the user's choice (for steering,
  * best the middle of the axle). Pixels: (0, 0) is the center of the top left one. Angles are 0 straight ahead (up
- * the picture; along y on the floor) and positive to the right, as in follow.h, but all the way around: directions, not lines.
+ * the picture; along y on the floor) and positive to the right, as in follow.h, but all the way around: directions, not
+ * lines.
  *
- *     image * w = m0 x + m1 y + m2,  m3 x + m4 y + m5      w = m6 x + m7 y + m8, above 0 for what is in front of the camera
+ *     image * w = m0 x + m1 y + m2,  m3 x + m4 y + m5
+ *     w = m6 x + m7 y + m8, above 0 for what is in front of the camera
  *
  * Method: Hartley, "In defense of the eight-point algorithm", 1997 (both sides normalized); a linear least-squares
  * solution by Givens rotations with the ninth number 1 at the middle of the marks - which is safe, because w is linear,
@@ -70,8 +72,8 @@ typedef struct {
 
 /* The floor that fits the marks best. `size` is the size of the pictures they were read off.
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: count above IRIS_FLOOR_MARKS_MAX or negative, a side outside
- * 1..IRIS_SIDE_MAX; IRIS_ERR_DATA: the marks do not determine a floor: *quality says which flaw they have, and nothing else is
- * valid. Some 140 000 instructions for each mark on a Cortex-M4, and 1.4 KB of stack. */
+ * 1..IRIS_SIDE_MAX; IRIS_ERR_DATA: the marks do not determine a floor: *quality says which flaw they have, and nothing
+ * else is valid. Some 140 000 instructions for each mark on a Cortex-M4, and 1.4 KB of stack. */
 iris_status iris_floor_fit(iris_floor *floor, iris_floor_quality *quality, iris_size size,
                            const iris_floor_mark *marks, int32_t count);
 
@@ -82,15 +84,16 @@ iris_status iris_floor_init(iris_floor *floor, iris_size size, const iris_q32 to
 
 /* Where on the floor a place of the picture is, inside of it or not.
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: it is on or above the horizon, or farther than 32767 mm.
- * O(1): nine 64-bit products and six 64-bit divisions, 1200 instructions on a Cortex-M4. Error below 1/1000 mm within 2 m, for the numbers as they are. */
+ * O(1): nine 64-bit products and six 64-bit divisions, 1200 instructions on a Cortex-M4. Error below 1/1000 mm within 2
+ * m, for the numbers as they are. */
 iris_status iris_floor_point(iris_place *mm, const iris_floor *floor, iris_place image);
 
 /* Where the picture shows a place on the floor, inside of the picture or not.
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: it is behind the camera, or outside of 32767 pixels. O(1), as above. */
 iris_status iris_floor_image(iris_place *image, const iris_floor *floor, iris_place mm);
 
-/* The direction on the floor of what goes into `direction` in the picture, at this place of it: of a line, a branch of a
- * junction, the long axis of a blob. Directions of a line turned by half a turn give angles half a turn apart.
+/* The direction on the floor of what goes into `direction` in the picture, at this place of it: of a line, a branch of
+ * a junction, the long axis of a blob. Directions of a line turned by half a turn give angles half a turn apart.
  * Errors as iris_floor_point. O(1). */
 iris_status iris_floor_angle(iris_angle *angle, const iris_floor *floor, iris_place image,
                              iris_angle direction);

@@ -12,8 +12,8 @@
  *
  * theta may go through the full circle, too: then it says on which side of the line the picture is bright, for points
  * that know their direction (edge_points.h; theta is where it gets brighter), and both edges of a bright stripe are
- * lines of opposite theta. For points without direction, each line comes twice then, or once with rho_min 0: the form of
- * the report, theta of a whole turn and rho not negative.
+ * lines of opposite theta. For points without direction, each line comes twice then, or once with rho_min 0: the form
+ * of the report, theta of a whole turn and rho not negative.
  *
  * Points with a direction vote for lines near to it alone: an eighth of the votes, and far fewer by chance.
  *
@@ -123,8 +123,8 @@ iris_status iris_hough_vote_row(iris_hough *hough, const uint32_t *mask_row, int
 iris_status iris_hough_vote_mask(iris_hough *hough, const iris_image *mask);
 
 /* Points with a direction vote: each in the theta bins from that nearest to its angle - spread to that nearest to its
- * angle + spread, so in one at least when the bounds hold its direction. Without full_circle a direction and its opposite
- * are the same.
+ * angle + spread, so in one at least when the bounds hold its direction. Without full_circle a direction and its
+ * opposite are the same.
  * IRIS_ERR_ARG: null pointer, or a negative count; IRIS_ERR_RANGE: a point outside the image; then none votes.
  * O(count * bins of theta within the spread on both sides), two multiplications per vote. */
 iris_status iris_hough_vote_edges(iris_hough *hough, const iris_edge_point *points, int32_t count);

@@ -36,9 +36,9 @@ extern "C" {
  * line drawn as a circle, whose two edges then count as one. */
 typedef enum { IRIS_CIRCLE_EITHER, IRIS_CIRCLE_BRIGHT, IRIS_CIRCLE_DARK } iris_circle_polarity;
 
-/* min_votes and min_share_permil both have to be reached. Of two circles whose centers are nearer than min_distance only
- * the better counts. cell is the least side of the accumulator's cells: larger ones cost precision of the peaks, not
- * of the circles, as long as they are small against the radius. */
+/* min_votes and min_share_permil both have to be reached. Of two circles whose centers are nearer than min_distance
+ * only the better counts. cell is the least side of the accumulator's cells: larger ones cost precision of the peaks,
+ * not of the circles, as long as they are small against the radius. */
 typedef struct {
     int32_t radius_min;            /* pixels, IRIS_CIRCLE_RADIUS_MIN..IRIS_CIRCLE_RADIUS_MAX; default 10 */
     int32_t radius_max;            /* the same, at least radius_min; default 50 */
@@ -75,7 +75,8 @@ typedef struct {
 void iris_circle_defaults(iris_circle_config *config);
 
 /* The circles, best first: those with the greatest product of votes and share of the circumference (votes^2 / r).
- * edges are row by row, as iris_edge_points writes them; they stay as they are. config null: the defaults. circles may be null when capacity is 0. *count is the number of all circles found.
+ * edges are row by row, as iris_edge_points writes them; they stay as they are. config null: the defaults. circles may
+ * be null when capacity is 0. *count is the number of all circles found.
  *
  * A circle's center is inside the picture. Its radius may be beyond the bounds by a pixel, or by a sixteenth of
  * itself if that is more. When part of it is outside the picture, the share still is one of the whole circumference:

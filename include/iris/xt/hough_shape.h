@@ -16,8 +16,8 @@
  *
  * Report, section 2.5.2; D. H. Ballard, "Generalizing the Hough transform to detect arbitrary shapes", 1981.
  *
- * Cost: for each angle and each scale a vote for every edge point and every outline point of nearly its direction (5 % of
- * them), twice that with IRIS_HOUGH_SHAPE_EITHER, 10 instructions each, and 10 for each cell. A picture of 320x240
+ * Cost: for each angle and each scale a vote for every edge point and every outline point of nearly its direction (5 %
+ * of them), twice that with IRIS_HOUGH_SHAPE_EITHER, 10 instructions each, and 10 for each cell. A picture of 320x240
  * with 4000 edge points, and a table of 256 entries at 72 angles and 8 scales, takes about 30 million votes.
  */
 #ifndef IRIS_XT_HOUGH_SHAPE_H
@@ -48,8 +48,8 @@ void iris_hough_shape_teaching_defaults(iris_hough_shape_teaching *config);
 
 /* Bytes of a table of so many entries. 256 entries: 1686 bytes.
  *
- * The table is one block of bytes, the same on every processor, and is used where it lies, such as in flash; it needs no
- * alignment. All numbers are little-endian:
+ * The table is one block of bytes, the same on every processor, and is used where it lies, such as in flash; it needs
+ * no alignment. All numbers are little-endian:
  *      0  "IRSH"
  *      4  u16  version, 1
  *      6  u16  entries
@@ -62,19 +62,20 @@ void iris_hough_shape_teaching_defaults(iris_hough_shape_teaching *config);
 /* Makes the table of the shape whose edge points are given, and says how many *bytes it takes. Of more points than
  * entries those are taken that cover the outline evenly: two of like direction keep a distance. config null: the
  * defaults. table and points are disjoint.
- * IRIS_ERR_ARG: null pointer, or a config value outside its range; IRIS_ERR_RANGE: fewer than ENTRIES_MIN points or more
- * than 32767, or a point that is more than REACH_MAX pixels to the side of the reference point or above or below it;
+ * IRIS_ERR_ARG: null pointer, or a config value outside its range; IRIS_ERR_RANGE: fewer than ENTRIES_MIN points or
+ * more than 32767, or a point that is more than REACH_MAX pixels to the side of the reference point or above or below
+ * it;
  * IRIS_ERR_FULL: capacity is less than IRIS_HOUGH_SHAPE_TABLE_BYTES(entries taken), nothing is written but *bytes, the
  * bytes needed. O(points * entries). */
 iris_status iris_hough_shape_teach(uint8_t *table, size_t capacity, size_t *bytes,
                                    const iris_edge_point *points, int32_t count,
                                    const iris_hough_shape_teaching *config);
 
-/* The edge points of a silhouette, IRIS_MASK1, to teach from: the middles of the sides that a selected pixel shares with
- * one that is not, by pixels, row by row, each from the left, its right side before its lower one; their direction is where the selected pixels lie around them (within
- * 3.6 pixels). Coordinates are doubled, fraction_bits is 1. Better than Canny's edges of it, which lie half a pixel beside
- * them and break where a slope is perfect. Beyond the picture nothing is selected. *count is the number of all. points may
- * be null when capacity is 0.
+/* The edge points of a silhouette, IRIS_MASK1, to teach from: the middles of the sides that a selected pixel shares
+ * with one that is not, by pixels, row by row, each from the left, its right side before its lower one; their direction
+ * is where the selected pixels lie around them (within 3.6 pixels). Coordinates are doubled, fraction_bits is 1. Better
+ * than Canny's edges of it, which lie half a pixel beside them and break where a slope is perfect. Beyond the picture
+ * nothing is selected. *count is the number of all. points may be null when capacity is 0.
  * IRIS_ERR_FULL: more than capacity; the first ones are in points. IRIS_ERR_ARG: null pointer, or a negative capacity;
  * the errors of iris_image_check; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: a side above 16383. O(pixels + 64 * points). */
 iris_status iris_hough_shape_silhouette(iris_edge_point *points, int32_t capacity, int32_t *count,

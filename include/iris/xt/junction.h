@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 #define IRIS_JUNCTION_BRANCHES 6 /* at most */
-#define IRIS_JUNCTIONS_MAX 8 /* that are found in one mask; of more the nearest */
+#define IRIS_JUNCTIONS_MAX     8 /* that are found in one mask; of more the nearest */
 
 typedef enum {
     IRIS_JUNCTION_END = 0, /* the line stops inside of the image: one branch, the line */
@@ -43,15 +43,15 @@ typedef struct {
     int32_t distance_rows; /* from the bottom row; 0 or more */
     int32_t width_px;      /* of the line there, roughly */
     int32_t branch_count;
-    iris_angle
-        branches[IRIS_JUNCTION_BRANCHES]; /* from the left, -180 degrees first; behind the last one 0 */
-    int32_t
-        confidence_permil; /* by the length of the shortest branch in sight: 1000 for three line widths or more */
+    /* from the left, -180 degrees first; behind the last one 0 */
+    iris_angle branches[IRIS_JUNCTION_BRANCHES];
+    /* by the length of the shortest branch in sight: 1000 for three line widths or more */
+    int32_t confidence_permil;
 } iris_junction;
 
 typedef struct {
-    int32_t
-        branch_permil; /* 1000..10000: length of a branch, at least, in permil of the line's width; default 1300 */
+    /* 1000..10000: length of a branch, at least, in permil of the line's width; default 1300 */
+    int32_t branch_permil;
     iris_angle straight; /* 0..45 degrees: two branches are one straight line if they bend less; default 18 */
     iris_angle corner;   /* 10..90 degrees: a corner bends by this or more; default 35 */
 } iris_junction_config;

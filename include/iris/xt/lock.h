@@ -10,12 +10,12 @@
  *   - strangers: what was seen beside the object in the last frame where it was found, and has not moved far since, is
  *     not the object. So the object may jump anywhere, but a similar thing that was there all along does not become it.
  * The best one, if good enough, is the object. One that has grown into something else of its color is looked at through
- * a window of its size where it should be: when its box is more than 1.7 times as wide or high as the object, or when it
- * has more than 1.6 times the area and not the object's shape any more (sides' ratio, share of the box filled); so what
- * comes nearer is not cut, and what touches is. What stays like that for two seconds or so is believed. A taught signature learns from the object as its light changes, but not
- * farther from what was taught than hue, saturation, and lightness of the lesson allow, and without what is around the
- * object; and when what is around it has come to look like it, colors with more pixels than the object has are given
- * up.
+ * a window of its size where it should be: when its box is more than 1.7 times as wide or high as the object, or when
+ * it has more than 1.6 times the area and not the object's shape any more (sides' ratio, share of the box filled); so
+ * what comes nearer is not cut, and what touches is. What stays like that for two seconds or so is believed. A taught
+ * signature learns from the object as its light changes, but not farther from what was taught than hue, saturation, and
+ * lightness of the lesson allow, and without what is around the object; and when what is around it has come to look
+ * like it, colors with more pixels than the object has are given up.
  *
  * When there is none the object is coasting for some frames: it is predicted by its speed. Then it is lost, and looked
  * for everywhere. What is found again with its color and size is the same, with its identity, else a new one.
@@ -119,8 +119,8 @@ iris_status iris_lock_init(iris_lock *lock, iris_size size, iris_signatures *sig
 /* Teaches the signature by the object in `rect` of frame (of any format that iris_color_takes), and locks on to it:
  * whatever was followed before is forgotten, and the object gets the next identity. result is this frame's; it is lost
  * when there is nothing in the rectangle that could be told from what is around it. A rectangle that is full of the
- * object's color, corners and all, shows a part of it: when all that hangs together with it is of the same color, has 1.5
- * to 16 times the rectangle's area, and at most a quarter of the frame, then the whole of it is taught, as if the
+ * object's color, corners and all, shows a part of it: when all that hangs together with it is of the same color, has
+ * 1.5 to 16 times the rectangle's area, and at most a quarter of the frame, then the whole of it is taught, as if the
  * rectangle were its box. What touches the object in its color belongs to it then, until it goes away.
  * IRIS_ERR_ARG: null pointer or invalid image; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: another size, or rect is empty or not
  * wholly inside; IRIS_ERR_SCRATCH. O(w h): as much as up to three lessons (signature.h) and two

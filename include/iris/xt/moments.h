@@ -1,5 +1,5 @@
-/* IRIS-XT - moments of what is selected in a mask, to the third order, and Hu's seven numbers, which stay the same when a
- * shape is moved, turned, or scaled: a second opinion on what a shape is, from its area rather than from its outline.
+/* IRIS-XT - moments of what is selected in a mask, to the third order, and Hu's seven numbers, which stay the same when
+ * a shape is moved, turned, or scaled: a second opinion on what a shape is, from its area rather than from its outline.
  *
  * With sums over all selected pixels (x, y):
  *
@@ -7,8 +7,8 @@
  *     central      mu_pq  = sum (x - m10/m00)^p (y - m01/m00)^q
  *     normalized   eta_pq = mu_pq / m00^(1 + (p + q) / 2)
  *
- * M.-K. Hu, "Visual pattern recognition by moment invariants", 1962. regress.h and blob.h have the moments to the second
- * order, for lines and ellipses.
+ * M.-K. Hu, "Visual pattern recognition by moment invariants", 1962. regress.h and blob.h have the moments to the
+ * second order, for lines and ellipses.
  */
 #ifndef IRIS_XT_MOMENTS_H
 #define IRIS_XT_MOMENTS_H

@@ -27,8 +27,8 @@ typedef struct {
 } iris_path;
 
 typedef struct {
-    int32_t
-        length_permil; /* 0..1000: a path is this long at least, in permil of the shorter side; default 150 */
+    /* 0..1000: a path is this long at least, in permil of the shorter side; default 150 */
+    int32_t length_permil;
     int32_t slender_permil; /* 1000..100000: and this many times as long as wide; default 2000 */
     iris_angle straight; /* 0..45 degrees: a path goes on through a crossing that bends it less; default 25 */
     int32_t bright;      /* of iris_paths_of_regions, 1: lines brighter than the floor; default 0: darker */

@@ -1,7 +1,7 @@
 /* IRIS-XT - steering by millimeters: pure pursuit of a line on the floor.
  *
- * What steer.h does with offsets in the picture is done here with places on the floor, so that one setting holds for every
- * camera, height, and tilt, and curves are driven as they are:
+ * What steer.h does with offsets in the picture is done here with places on the floor, so that one setting holds for
+ * every camera, height, and tilt, and curves are driven as they are:
  *
  *     goal       the place where the line, followed from the robot, is `lookahead_mm` away from the axle; its end, if
  *                it is seen no farther
@@ -28,9 +28,9 @@ extern "C" {
 
 typedef struct {
     int32_t lookahead_mm; /* 10..10000: a longer one is smoother and cuts curves more; default 200 */
-    int32_t
-        radius_mm; /* 1..100000: of the curve, at the axle's middle, that full steering drives; default 75: half of
-                             the distance of two driven wheels, of which the inner one then stands still */
+    /* 1..100000: of the curve, at the axle's middle, that full steering drives; default 75: half of the distance of
+     * two driven wheels, of which the inner one then stands still */
+    int32_t radius_mm;
     int32_t axle_mm; /* -10000..10000: y of the middle of the axle on the floor; default 0 */
 } iris_pursuit_config;
 
@@ -63,8 +63,8 @@ typedef struct {
     const iris_pursuit_config *config; /* null for the defaults */
 } iris_pursuit;
 
-/* iris_steer_update, and then iris_pursuit_find with the side of the bend that *steer remembers: if there is a goal, its
- * steering, within the limit of *steer, is the command's.
+/* iris_steer_update, and then iris_pursuit_find with the side of the bend that *steer remembers: if there is a goal,
+ * its steering, within the limit of *steer, is the command's.
  * IRIS_ERR_ARG: null pointer (but for by->config), or a config value outside its range. O(segments). */
 iris_status iris_pursuit_update(iris_command *command, iris_pursuit_goal *goal, iris_steer *steer,
                                 const iris_follow_result *line, const iris_pursuit *by, int32_t elapsed_ms);

@@ -1,7 +1,7 @@
 /* IRIS-XT - shapes: what a silhouette is, however it is moved, turned, scaled, or mirrored.
  *
- * Perimeter sampling, the report's way: how far the perimeter is from a point inside, at every step of an angle, and the
- * farthest counts as 1. That is a periodic signal; turning the shape shifts it, so two are compared at all shifts.
+ * Perimeter sampling, the report's way: how far the perimeter is from a point inside, at every step of an angle, and
+ * the farthest counts as 1. That is a periodic signal; turning the shape shifts it, so two are compared at all shifts.
  * Height functions, for more: how high all other points of the outline are over the tangent at each of its points.
  * Report, sections 2.5.1 and 3.3.3 (ShapeSampler, SequenceAnalyser); J. Wang, X. Bai, X. You, W. Liu, L. J. Latecki,
  * "Shape matching and classification using height functions", 2012.
@@ -37,8 +37,8 @@ typedef enum { IRIS_SHAPE_FIRST = 0, IRIS_SHAPE_LAST } iris_shape_crossing;
 typedef struct {
     int32_t samples; /* per turn, 4..IRIS_SHAPE_SAMPLES_MAX: the step is 360 degrees / samples; default 128 */
     iris_shape_crossing crossing; /* where a ray crosses more than once; default the first */
-    int32_t
-        has_point; /* 1: rays start at x, y; 0, the default: at the center of gravity of what is selected */
+    /* 1: rays start at x, y; 0, the default: at the center of gravity of what is selected */
+    int32_t has_point;
     iris_q16 x_q16, y_q16; /* pixels */
 } iris_shape_sampling;
 
@@ -59,11 +59,13 @@ void iris_shape_sampling_defaults(iris_shape_sampling *config);
 /* distances[k], k = 0 to samples - 1, at k steps from 0: 0..IRIS_SHAPE_ONE or IRIS_SHAPE_MISSING. mask is IRIS_MASK1; a
  * silhouette, or an outline of any width, through which no ray slips (gaps let rays through). *rays may be null.
  * IRIS_ERR_ARG: null pointer, a config value out of range; the errors of iris_image_check; IRIS_ERR_FORMAT;
- * IRIS_ERR_RANGE: nothing is selected, or x, y outside the picture. O(samples * (w + h)), less for the first crossing. */
+ * IRIS_ERR_RANGE: nothing is selected, or x, y outside the picture. O(samples * (w + h)), less for the first
+ * crossing. */
 iris_status iris_shape_sample(uint16_t *distances, iris_shape_rays *rays, const iris_image *mask,
                               const iris_shape_sampling *config);
 
-/* The same as an R-table: `entries` has room for `samples`; *count of them are written, for the rays that met something.
+/* The same as an R-table: `entries` has room for `samples`; *count of them are written, for the rays that met
+ * something.
  * IRIS_ERR_ARG: null pointer, or samples out of range. O(samples). */
 iris_status iris_shape_table(iris_shape_entry *entries, int32_t *count, const uint16_t *distances,
                              int32_t samples, iris_q16 longest_q16);
@@ -71,10 +73,10 @@ iris_status iris_shape_table(iris_shape_entry *entries, int32_t *count, const ui
 /* ---- SequenceAnalyser: the degree of correlation of two signatures ---- */
 
 typedef struct {
-    int32_t
-        tolerance; /* 0..IRIS_SHAPE_ONE: samples that differ by no more than this are equal; default 256 */
-    iris_q16
-        cumulative_q16; /* 0..1: errors may add up to this share of the signal, then a shift is given up; default .5 */
+    /* 0..IRIS_SHAPE_ONE: samples that differ by no more than this are equal; default 256 */
+    int32_t tolerance;
+    /* 0..1: errors may add up to this share of the signal, then a shift is given up; default .5 */
+    iris_q16 cumulative_q16;
     iris_q16 missing_q16; /* 0..1: so many of the samples may be missing in one or the other; default 1/3 */
     int32_t mirrored;     /* 1, the default: also compares with the mirror image; 0 */
 } iris_shape_tolerance;
@@ -89,8 +91,8 @@ typedef struct {
 
 void iris_shape_tolerance_defaults(iris_shape_tolerance *tolerance);
 
-/* The best shift of b against a: degree = 1 - (sum of what samples differ by beyond the tolerance) / (sum of the larger of
- * both), over the samples that both have.
+/* The best shift of b against a: degree = 1 - (sum of what samples differ by beyond the tolerance) / (sum of the larger
+ * of both), over the samples that both have.
  * IRIS_ERR_ARG: null pointer, samples or a tolerance out of range; IRIS_ERR_RANGE: a sample that is neither 0..
  * IRIS_SHAPE_ONE nor missing. O(samples^2), twice with mirroring; a shift is left when it cannot win any more. */
 iris_status iris_shape_correlate(iris_shape_correlation *best, const uint16_t *a, const uint16_t *b,
@@ -110,8 +112,8 @@ typedef struct {
     int16_t x[IRIS_SHAPE_POINTS],   /* evenly along the outline, clockwise, about their mean; */
         y[IRIS_SHAPE_POINTS];       /* IRIS_SHAPE_DIAMETER is the diameter */
     uint16_t rays[IRIS_SHAPE_RAYS]; /* as iris_shape_sample has them, of the part with its holes */
-    int32_t
-        moments_q20[4]; /* Hu's first number and the roots of the next three, holes filled; at most 1024 */
+    /* Hu's first number and the roots of the next three, holes filled; at most 1024 */
+    int32_t moments_q20[4];
 } iris_shape;
 
 /* Working memory: what the outline encloses, one bit per pixel. 160x120: 2.4 KB. */
@@ -138,8 +140,8 @@ typedef struct {
     iris_shape_tolerance tolerance; /* for IRIS_SHAPE_RADIAL; its mirrored is not looked at */
 } iris_shape_matching;
 
-/* Default least scores: 1/3, 0.7, 0.75. Few blobs and no noise reach the first with thirty models, nearly all shapes of the
- * same class do (make score prints how many); rays and moments tell less what is like nothing. */
+/* Default least scores: 1/3, 0.7, 0.75. Few blobs and no noise reach the first with thirty models, nearly all shapes of
+ * the same class do (make score prints how many); rays and moments tell less what is like nothing. */
 #define IRIS_SHAPE_LEAST(method)                                                                             \
     ((method) == IRIS_SHAPE_HEIGHTS ? 21845 : (method) == IRIS_SHAPE_RADIAL ? 45875 : 49152)
 
@@ -153,12 +155,12 @@ typedef struct {
 typedef struct {
     int32_t class_index; /* of the model; IRIS_SHAPE_UNKNOWN when the score is below the least */
     int32_t index;       /* the best model; -1: there is none */
-    iris_q16
-        score_q16; /* 0..1; 1: the same. Scores of different methods do not compare. Heights: 0 when they differ by as
-                          * much as they vary along the outlines; rays: the degree of correlation */
+    /* 0..1; 1: the same. Scores of different methods do not compare. Heights: 0 when they differ by as much as they
+     * vary along the outlines; rays: the degree of correlation */
+    iris_q16 score_q16;
     iris_angle angle; /* by which the model must be turned clockwise to lie like the shape */
-    int32_t
-        mirrored; /* 1: after left and right of the model have been swapped, which must be better by 0.03 */
+    /* 1: after left and right of the model have been swapped, which must be better by 0.03 */
+    int32_t mirrored;
 } iris_shape_found;
 
 /* Working memory of a match: 5 KB. */

@@ -35,8 +35,8 @@ typedef struct {
     iris_hsl_range range;
     int32_t chroma0, chroma1;
     iris_color color; /* mean of the object's pixels */
-    int32_t
-        share_permil; /* of the object's pixels, that have the signature; low: it looks like its surroundings */
+    /* of the object's pixels, that have the signature; low: it looks like its surroundings */
+    int32_t share_permil;
     int32_t elsewhere_permil; /* of the pixels around, that have it all the same */
 } iris_signature_lesson;
 
