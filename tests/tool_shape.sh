@@ -71,6 +71,6 @@ refuses "--scales" 2 "A-B:STEP" find --scales 2-1:0.1 l.rtable dark.pgm
 refuses "--score" 2 "0.001 to 1, not '2'" find --score 2 l.rtable dark.pgm
 refuses "--count" 2 "from 1 to 32" find --count 0 l.rtable dark.pgm
 refuses "--polarity" 2 "either, same, or reversed" find --polarity any l.rtable dark.pgm
-refuses "--high" 2 "at least --low" find --low 50 --high 40 l.rtable dark.pgm
+refuses "--low above --high" 2 "at most --high" find --low 50 --high 40 l.rtable dark.pgm
 refuses "--reference" 2 "x,y in pixels" teach --reference 5 l.rtable silhouette.pgm
 refuses "--entries" 2 "from 8 to 1024" teach --entries 5 l.rtable silhouette.pgm

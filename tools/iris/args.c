@@ -117,6 +117,19 @@ int args_numbers(int32_t *numbers, int count, char separator, const char *text)
     return 1;
 }
 
+int args_wholes(const args_whole *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const args_whole *n = &numbers[i];
+        if (n->text && (!args_numbers(n->to, 1, ',', n->text) || *n->to < n->least || *n->to > n->most)) {
+            complain(n->option, "a whole number from %d to %d, not '%s'", (int)n->least, (int)n->most,
+                     n->text);
+            return 0;
+        }
+    }
+    return 1;
+}
+
 int args_q16(int32_t *number, int32_t least_q16, int32_t most_q16, const char *text)
 {
     int64_t sign = text[0] == '-' ? -1 : 1;

@@ -37,6 +37,17 @@ int args_parse(arguments *args, int argc, char **argv);
  * with numbers undefined. */
 int args_numbers(int32_t *numbers, int count, char separator, const char *text);
 
+/* An option whose value is a whole number within limits. */
+typedef struct {
+    const char *option; /* with dashes */
+    const char *text;   /* null: not given, *to stays */
+    int32_t *to;
+    int32_t least, most;
+} args_whole;
+
+/* Reads all of them. Complains about the first that is wrong and returns 0. */
+int args_wholes(const args_whole *numbers, size_t count);
+
 /* Reads a decimal number such as "1.4", "-0.25", or "3" with 16 fraction bits, rounded half away from zero. 1 when text
  * is that and within `least` to `most`, else 0 with *number undefined. */
 int args_q16(int32_t *number, int32_t least_q16, int32_t most_q16, const char *text);

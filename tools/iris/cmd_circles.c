@@ -1,5 +1,6 @@
 #include <string.h>
 
+#include "canny_options.h"
 #include "canvas.h"
 #include "commands.h"
 #include "iris/copy.h"
@@ -54,21 +55,6 @@ static size_t larger(size_t a, size_t b)
     return a > b ? a : b;
 }
 
-static iris_status find_thresholds(iris_canny_config *canny, const iris_image *gray, iris_scratch *scratch)
-{
-    iris_canny_config found = *canny;
-    iris_status status =
-        canny->low < 0 || canny->high < 0 ? iris_canny_adapt(&found, gray, scratch) : IRIS_OK;
-    int has_low = canny->low >= 0, has_high = canny->high >= 0;
-    if (!has_high) {
-        canny->high = has_low && canny->low > found.high ? canny->low : found.high;
-    }
-    if (!has_low) {
-        canny->low = has_high ? canny->high * 2 / 5 : found.low;
-    }
-    return status;
-}
-
 /* The edge points of gray into edges->points, which have room for all of its pixels. */
 static iris_status find_edges(iris_edge_list *edges, iris_edge_point *points, const iris_image *gray,
                               operation_stage *stage)
@@ -82,7 +68,7 @@ static iris_status find_edges(iris_edge_list *edges, iris_edge_point *points, co
     if (!scratch) {
         return IRIS_ERR_SCRATCH;
     }
-    iris_status status = find_thresholds(&canny, gray, scratch);
+    iris_status status = canny_options_adapt(&canny, gray, scratch);
     return status == IRIS_OK
                ? iris_edge_points(points, gray->w * gray->h, &edges->count, gray, &canny, scratch)
                : status;
@@ -219,27 +205,6 @@ static void print(FILE *out, const operation_stage *stage)
 
 /* --- options --- */
 
-/* A whole number within its limits, when given. */
-typedef struct {
-    const char *option; /* with dashes */
-    const char *text;   /* null: not given */
-    int32_t *to;
-    int32_t least, most;
-} number;
-
-static int read_numbers(const number *numbers, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        const number *n = &numbers[i];
-        if (n->text && (!args_numbers(n->to, 1, ',', n->text) || *n->to < n->least || *n->to > n->most)) {
-            complain(n->option, "a whole number from %d to %d, not '%s'", (int)n->least, (int)n->most,
-                     n->text);
-            return 0;
-        }
-    }
-    return 1;
-}
-
 static int read_radius(iris_circle_config *config, const char *text)
 {
     int32_t read[2];
@@ -278,22 +243,8 @@ static int read_polarity(iris_circle_polarity *polarity, const char *text)
     return text == NULL;
 }
 
-static int read_sigma(iris_canny_config *canny, const char *text)
-{
-    if (text && (!args_q16(&canny->sigma_q16, 0, IRIS_BLUR_SIGMA_MAX, text) ||
-                 (canny->sigma_q16 != 0 && canny->sigma_q16 < IRIS_BLUR_SIGMA_MIN))) {
-        complain("--sigma", "0, or 0.1 to 40 pixels, not '%s'", text);
-        return 0;
-    }
-    return 1;
-}
-
 static int fit_together(const settings *by, const operation_words *words)
 {
-    if (by->canny.high >= 0 && by->canny.low > by->canny.high) {
-        complain("--low", "at most --high, not %d above %d", (int)by->canny.low, (int)by->canny.high);
-        return 0;
-    }
     if (by->accumulator && words->arguments.operand_count > 1) {
         complain("--accumulator", "only with one picture");
         return 0;
@@ -306,36 +257,33 @@ static int parse(void *memory, operation_words *words)
     settings *by = memory;
     const char *radius = NULL, *polarity = NULL, *share = NULL, *votes = NULL, *distance = NULL,
                *count = NULL;
-    const char *low = NULL, *high = NULL, *sigma = NULL, *cell = NULL;
+    const char *cell = NULL;
+    canny_texts edges = {NULL, NULL, NULL};
     const args_option options[] = {{"radius", 0, NULL, &radius},
                                    {"polarity", 0, NULL, &polarity},
                                    {"share", 0, NULL, &share},
                                    {"votes", 0, NULL, &votes},
                                    {"distance", 0, NULL, &distance},
                                    {"count", 0, NULL, &count},
-                                   {"low", 0, NULL, &low},
-                                   {"high", 0, NULL, &high},
-                                   {"sigma", 0, NULL, &sigma},
+                                   {"low", 0, NULL, &edges.low},
+                                   {"high", 0, NULL, &edges.high},
+                                   {"sigma", 0, NULL, &edges.sigma},
                                    {"cell", 0, NULL, &cell},
                                    {"accumulator", 0, NULL, &by->accumulator}};
-    iris_canny_defaults(&by->canny);
     iris_circle_defaults(&by->circle);
     by->circle.max_hypotheses = 1024;
-    by->canny.low = by->canny.high = -1;
     by->count = CIRCLES_MAX;
     if (!operation_options(words, options, sizeof options / sizeof options[0]) ||
         !read_radius(&by->circle, radius)) {
         return 0;
     }
-    const number numbers[] = {{"--share", share, &by->circle.min_share_permil, 1, 1000},
-                              {"--votes", votes, &by->circle.min_votes, 0, 65535},
-                              {"--distance", distance, &by->circle.min_distance, 0, IRIS_SIDE_MAX},
-                              {"--count", count, &by->count, 1, CIRCLES_MAX},
-                              {"--low", low, &by->canny.low, 0, IRIS_CANNY_THRESHOLD_END - 1},
-                              {"--high", high, &by->canny.high, 0, IRIS_CANNY_THRESHOLD_END - 1},
-                              {"--cell", cell, &by->circle.cell, 1, IRIS_CIRCLE_CELL_MAX}};
-    return read_numbers(numbers, sizeof numbers / sizeof numbers[0]) &&
-           read_polarity(&by->circle.polarity, polarity) && read_sigma(&by->canny, sigma) &&
+    const args_whole numbers[] = {{"--share", share, &by->circle.min_share_permil, 1, 1000},
+                                  {"--votes", votes, &by->circle.min_votes, 0, 65535},
+                                  {"--distance", distance, &by->circle.min_distance, 0, IRIS_SIDE_MAX},
+                                  {"--count", count, &by->count, 1, CIRCLES_MAX},
+                                  {"--cell", cell, &by->circle.cell, 1, IRIS_CIRCLE_CELL_MAX}};
+    return args_wholes(numbers, sizeof numbers / sizeof numbers[0]) &&
+           read_polarity(&by->circle.polarity, polarity) && canny_options_read(&by->canny, &edges) &&
            fit_together(by, words);
 }
 

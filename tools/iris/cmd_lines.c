@@ -1,3 +1,4 @@
+#include "canny_options.h"
 #include "canvas.h"
 #include "commands.h"
 #include "iris/color.h"
@@ -14,7 +15,7 @@ static const char help[] =
     "Straight lines by Hough transform. In gray and color pictures Canny's edges vote for the\n"
     "lines along them, in masks (1-bit files) each white pixel for all lines through it.\n\n"
     "  --low L, --high H thresholds of edges: |dx| + |dy| of Sobel's operator, 0 to 32767;\n"
-    "                    default 12 and 30\n"
+    "                    default 12 and 30; with H alone L is two fifths of it\n"
     "  --sigma S         smooths first, by a Gaussian of S pixels, 0.1 to 40; 0 does not;\n"
     "                    default 1.4\n"
     "  --mask            takes gray and color pictures as masks, white above 127\n"
@@ -361,27 +362,6 @@ static void print(FILE *out, const operation_stage *stage)
     }
 }
 
-/* A whole number within its limits, when given. */
-typedef struct {
-    const char *option; /* with dashes */
-    const char *text;   /* null: not given */
-    int32_t *to;
-    int32_t least, most;
-} number;
-
-static int read_numbers(const number *numbers, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        const number *n = &numbers[i];
-        if (n->text && (!args_numbers(n->to, 1, ',', n->text) || *n->to < n->least || *n->to > n->most)) {
-            complain(n->option, "a whole number from %d to %d, not '%s'", (int)n->least, (int)n->most,
-                     n->text);
-            return 0;
-        }
-    }
-    return 1;
-}
-
 static int read_angles(iris_hough_config *hough, const char *text)
 {
     int32_t degrees[2], low = hough->full_circle ? -360 : -90, high = hough->full_circle ? 360 : 90;
@@ -400,35 +380,17 @@ static int read_angles(iris_hough_config *hough, const char *text)
     return 1;
 }
 
-static int read_sigma(iris_canny_config *canny, const char *text)
-{
-    if (text && (!args_q16(&canny->sigma_q16, 0, IRIS_BLUR_SIGMA_MAX, text) ||
-                 (canny->sigma_q16 != 0 && canny->sigma_q16 < IRIS_BLUR_SIGMA_MIN))) {
-        complain("--sigma", "0, or 0.1 to 40 pixels, not '%s'", text);
-        return 0;
-    }
-    return 1;
-}
-
 static void set_defaults(settings *by)
 {
-    iris_canny_defaults(&by->canny);
-    by->canny.low = 12; /* low: votes by chance are known, and lines may be faint */
-    by->canny.high = 30;
     iris_hough_defaults(&by->hough);
     by->hough.theta_bins = 0;
     iris_hough_segment_defaults(&by->segments);
     by->count = LINES_DEFAULT;
 }
 
-static int check(settings *by, const operation_words *words, const char *low, const char *high)
+static int check(settings *by, const operation_words *words)
 {
-    by->canny.high = !high && by->canny.high < by->canny.low ? by->canny.low : by->canny.high;
-    by->canny.low = !low && by->canny.low > by->canny.high ? by->canny.high : by->canny.low;
-    if (by->canny.low > by->canny.high) {
-        complain("--low", "at most --high, not %d above %d", (int)by->canny.low, (int)by->canny.high);
-        return 0;
-    }
+    canny_options_complete(&by->canny, 12, 30); /* low: votes by chance are known, and lines may be faint */
     if ((by->rho_step & (by->rho_step - 1)) != 0) {
         complain("--rho-step", "1, 2, 4, 8, 16, 32, or 64 pixels, not %d", (int)by->rho_step);
         return 0;
@@ -443,13 +405,13 @@ static int check(settings *by, const operation_words *words, const char *low, co
 static int parse(void *memory, operation_words *words)
 {
     settings *by = memory;
-    const char *low = NULL, *high = NULL, *sigma = NULL, *votes = NULL, *angles = NULL, *theta = NULL,
-               *rho = NULL;
+    canny_texts edges = {NULL, NULL, NULL};
+    const char *votes = NULL, *angles = NULL, *theta = NULL, *rho = NULL;
     const char *gap = NULL, *length = NULL, *count = NULL;
     int full_circle = 0;
-    const args_option options[] = {{"low", 0, NULL, &low},
-                                   {"high", 0, NULL, &high},
-                                   {"sigma", 0, NULL, &sigma},
+    const args_option options[] = {{"low", 0, NULL, &edges.low},
+                                   {"high", 0, NULL, &edges.high},
+                                   {"sigma", 0, NULL, &edges.sigma},
                                    {"mask", 0, &by->is_mask, NULL},
                                    {"votes", 0, NULL, &votes},
                                    {"angles", 0, NULL, &angles},
@@ -465,16 +427,15 @@ static int parse(void *memory, operation_words *words)
         return 0;
     }
     by->hough.full_circle = full_circle;
-    const number numbers[] = {{"--low", low, &by->canny.low, 0, IRIS_CANNY_THRESHOLD_END - 1},
-                              {"--high", high, &by->canny.high, 0, IRIS_CANNY_THRESHOLD_END - 1},
-                              {"--votes", votes, &by->votes, 1, 65535},
-                              {"--theta-bins", theta, &by->hough.theta_bins, 1, IRIS_HOUGH_THETA_BINS_MAX},
-                              {"--rho-step", rho, &by->rho_step, 1, IRIS_HOUGH_RHO_STEP_MAX},
-                              {"--gap", gap, &by->segments.max_gap, 0, IRIS_SIDE_MAX},
-                              {"--min-length", length, &by->segments.min_length, 1, IRIS_SIDE_MAX},
-                              {"--count", count, &by->count, 1, LINES_MAX}};
-    return read_numbers(numbers, sizeof numbers / sizeof numbers[0]) && read_angles(&by->hough, angles) &&
-           read_sigma(&by->canny, sigma) && check(by, words, low, high);
+    const args_whole numbers[] = {
+        {"--votes", votes, &by->votes, 1, 65535},
+        {"--theta-bins", theta, &by->hough.theta_bins, 1, IRIS_HOUGH_THETA_BINS_MAX},
+        {"--rho-step", rho, &by->rho_step, 1, IRIS_HOUGH_RHO_STEP_MAX},
+        {"--gap", gap, &by->segments.max_gap, 0, IRIS_SIDE_MAX},
+        {"--min-length", length, &by->segments.min_length, 1, IRIS_SIDE_MAX},
+        {"--count", count, &by->count, 1, LINES_MAX}};
+    return args_wholes(numbers, sizeof numbers / sizeof numbers[0]) && read_angles(&by->hough, angles) &&
+           canny_options_read(&by->canny, &edges) && check(by, words);
 }
 
 const operation operation_lines = {.name = "lines",

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "canny_options.h"
 #include "canvas.h"
 #include "chain.h"
 #include "commands.h"
@@ -44,7 +45,6 @@ static const char find_help[] =
 typedef struct {
     iris_hough_shape_config config;
     iris_canny_config canny;
-    int adapts; /* Canny's thresholds come from the picture */
     int32_t count;
     size_t bytes;
     uint8_t table[IRIS_HOUGH_SHAPE_TABLE_BYTES(IRIS_HOUGH_SHAPE_ENTRIES_MAX)];
@@ -73,7 +73,7 @@ static iris_edge_point *edges_of(int32_t *count, finding **found, operation_stag
     }
     *found = (finding *)(void *)room;
     iris_edge_point *points = (iris_edge_point *)(void *)(room + sizeof **found);
-    iris_status status = by->adapts ? iris_canny_adapt(&canny, gray, scratch) : IRIS_OK;
+    iris_status status = canny_options_adapt(&canny, gray, scratch);
     if (status == IRIS_OK) {
         status = iris_edge_points(points, most, count, gray, &canny, scratch);
     }
@@ -248,7 +248,8 @@ static int read_table(settings *by, const char *path)
 }
 
 typedef struct {
-    const char *angles, *scales, *score, *count, *polarity, *sigma, *low, *high;
+    const char *angles, *scales, *score, *count, *polarity;
+    canny_texts edges;
 } texts;
 
 static int read_numbers(settings *by, const texts *given)
@@ -280,20 +281,20 @@ static int parse(void *into, operation_words *words)
 {
     settings *by = into;
     texts given = {.scales = "0.7-1.4:0.1", .polarity = "either"};
-    const args_option options[] = {{"angles", 0, NULL, &given.angles},     {"scales", 0, NULL, &given.scales},
-                                   {"score", 0, NULL, &given.score},       {"count", 0, NULL, &given.count},
-                                   {"polarity", 0, NULL, &given.polarity}, {"sigma", 0, NULL, &given.sigma},
-                                   {"low", 0, NULL, &given.low},           {"high", 0, NULL, &given.high}};
+    const args_option options[] = {
+        {"angles", 0, NULL, &given.angles},     {"scales", 0, NULL, &given.scales},
+        {"score", 0, NULL, &given.score},       {"count", 0, NULL, &given.count},
+        {"polarity", 0, NULL, &given.polarity}, {"sigma", 0, NULL, &given.edges.sigma},
+        {"low", 0, NULL, &given.edges.low},     {"high", 0, NULL, &given.edges.high}};
     if (!operation_options(words, options, sizeof options / sizeof options[0])) {
         return 0;
     }
     iris_hough_shape_defaults(&by->config);
     by->count = IRIS_HOUGH_SHAPE_PLACES;
     if (!read_scales(&by->config, given.scales) || !read_polarity(&by->config.polarity, given.polarity) ||
-        !read_numbers(by, &given) || !shape_read_canny(&by->canny, given.sigma, given.low, given.high)) {
+        !read_numbers(by, &given) || !canny_options_read(&by->canny, &given.edges)) {
         return 0;
     }
-    by->adapts = !given.low && !given.high;
     arguments *args = &words->arguments;
     if (args->operand_count < 2) {
         complain(NULL, "find takes a table and pictures (see iris shape find --help)");

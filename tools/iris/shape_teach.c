@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "args.h"
+#include "canny_options.h"
 #include "complain.h"
 #include "file_write.h"
 #include "frame_reader.h"
@@ -40,38 +41,9 @@ typedef struct {
 typedef struct {
     const char *output, *file;
     int json;
-    int adapts; /* Canny's thresholds come from the template */
     iris_canny_config canny;
     iris_hough_shape_teaching teaching;
 } teaching;
-
-int shape_read_canny(iris_canny_config *canny, const char *sigma, const char *low, const char *high)
-{
-    iris_canny_defaults(canny);
-    if (sigma && (!args_q16(&canny->sigma_q16, 0, IRIS_BLUR_SIGMA_MAX, sigma) ||
-                  (canny->sigma_q16 != 0 && canny->sigma_q16 < IRIS_BLUR_SIGMA_MIN))) {
-        complain("--sigma", "0, or 0.1 to 40 pixels, not '%s'", sigma);
-        return 0;
-    }
-    const char *const texts[2] = {low, high};
-    int32_t *const numbers[2] = {&canny->low, &canny->high};
-    for (int i = 0; i < 2; i++) {
-        if (texts[i] && (!args_numbers(numbers[i], 1, ',', texts[i]) || *numbers[i] < 0 ||
-                         *numbers[i] >= IRIS_CANNY_THRESHOLD_END)) {
-            complain(i ? "--high" : "--low", "a whole number from 0 to %d, not '%s'",
-                     IRIS_CANNY_THRESHOLD_END - 1, texts[i]);
-            return 0;
-        }
-    }
-    if (!high && canny->high < canny->low) {
-        canny->high = canny->low;
-    }
-    if (canny->high < canny->low) {
-        complain("--high", "at least --low, which is %d, not '%s'", (int)canny->low, high);
-        return 0;
-    }
-    return 1;
-}
 
 /* x,y in pixels with fractions. */
 static int read_reference(iris_hough_shape_teaching *by, const char *text)
@@ -95,10 +67,11 @@ static int read_reference(iris_hough_shape_teaching *by, const char *text)
 /* Returns ARGS_GO or an exit code. */
 static int parse(teaching *t, int argc, char **argv)
 {
-    const char *sigma = NULL, *low = NULL, *high = NULL, *reference = NULL, *entries = NULL;
+    canny_texts edges = {NULL, NULL, NULL};
+    const char *reference = NULL, *entries = NULL;
     const args_option options[] = {{"reference", 0, NULL, &reference}, {"entries", 0, NULL, &entries},
-                                   {"sigma", 0, NULL, &sigma},         {"low", 0, NULL, &low},
-                                   {"high", 0, NULL, &high},           {"json", 0, &t->json, NULL}};
+                                   {"sigma", 0, NULL, &edges.sigma},   {"low", 0, NULL, &edges.low},
+                                   {"high", 0, NULL, &edges.high},     {"json", 0, &t->json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int code = args_parse(&args, argc, argv);
     if (code != ARGS_GO) {
@@ -109,7 +82,6 @@ static int parse(teaching *t, int argc, char **argv)
         complain(NULL, "teach takes two files, OUT.rtable and TEMPLATE (see iris shape teach --help)");
         return EXIT_BAD_CALL;
     }
-    t->adapts = !low && !high;
     t->output = args.operands[0];
     t->file = args.operands[1];
     if (entries && (!args_numbers(&t->teaching.entries, 1, ',', entries) ||
@@ -119,8 +91,7 @@ static int parse(teaching *t, int argc, char **argv)
                  IRIS_HOUGH_SHAPE_ENTRIES_MAX, entries);
         return EXIT_BAD_CALL;
     }
-    return (!reference || read_reference(&t->teaching, reference)) &&
-                   shape_read_canny(&t->canny, sigma, low, high)
+    return (!reference || read_reference(&t->teaching, reference)) && canny_options_read(&t->canny, &edges)
                ? ARGS_GO
                : EXIT_BAD_CALL;
 }
@@ -212,7 +183,7 @@ static iris_status find_canny(iris_edge_point *points, int32_t most, int32_t *co
     bytes = bytes > adapt_bytes ? bytes : adapt_bytes;
     void *memory = malloc(bytes);
     (void)iris_scratch_init(&scratch, memory, memory ? bytes : 0);
-    iris_status status = t->adapts ? iris_canny_adapt(&canny, gray, &scratch) : IRIS_OK;
+    iris_status status = canny_options_adapt(&canny, gray, &scratch);
     if (status == IRIS_OK) {
         status = iris_edge_points(points, most, count, gray, &canny, &scratch);
     }
