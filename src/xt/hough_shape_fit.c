@@ -46,7 +46,7 @@ typedef struct {
     int32_t reach2;  /* squared distance that an edge point must fall below; then that of the nearest */
     int32_t nearest; /* -1: none */
     int32_t dx_q4, dy_q4;
-    int32_t unlike; /* edge points of other directions within reach */
+    int32_t unlike; /* how many edge points of other directions are within reach */
 } pair;
 
 static int is_alike(iris_angle a, iris_angle b)
