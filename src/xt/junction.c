@@ -178,72 +178,6 @@ static int reaches_side(iris_graph *g, int32_t part)
     return 0;
 }
 
-/* Does the line go on behind the arm's tip, after a gap of up to three widths? */
-static int goes_on(const iris_image *mask, const iris_junction_arm *arm, int32_t width)
-{
-    for (int32_t step = 2; step < 4 * width; step++) {
-        int32_t x = arm->tip.x + (int32_t)iris_round_shift((int64_t)arm->dx_q14 * step, 14);
-        int32_t y = arm->tip.y + (int32_t)iris_round_shift((int64_t)arm->dy_q14 * step, 14);
-        if (iris_graph_has(mask, x, y)) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static void turn_around(iris_graph *g)
-{
-    for (int32_t i = 0, k = g->path_count - 1; i < k; i++, k--) {
-        iris_graph_point kept = g->path[i];
-        g->path[i] = g->path[k];
-        g->path[k] = kept;
-    }
-}
-
-/* The line at the path's last point, as it is seen from some widths before it. */
-static int tip_of(iris_junction_arm *arm, const iris_graph *g, int32_t *width)
-{
-    int32_t last = g->path_count - 1, half = last / 2;
-    int32_t radius = iris_graph_radius(g->mask, g->path[half].x, g->path[half].y);
-    iris_graph part = *g;
-    int32_t from = last - 8 * radius - 4 > 0 ? last - 8 * radius - 4 : 0;
-    iris_graph_point near = g->path[last - 2 * radius > from ? last - 2 * radius : from];
-    radius = iris_graph_radius(g->mask, near.x, near.y);
-    *width = 2 * radius + 1;
-    part.path += from;
-    part.path_count -= from;
-    *arm = (iris_junction_arm){.exits = iris_junction_near_side(g, g->path[last], 2 * radius + 3)};
-    return iris_junction_arm_of(arm, &part, part.path[0], *width);
-}
-
-/* A line without a junction: does it stop in the image? Returns 0 when it does not leave it, which is no robot's line.
- * */
-static int look_at_ends(iris_junction_search *search, const iris_graph_way *way)
-{
-    iris_junction_arm tips[2];
-    int32_t width[2];
-    iris_graph *g = search->graph;
-    iris_graph_walk(g, way);
-    int known[2];
-    known[1] = tip_of(&tips[1], g, &width[1]);
-    turn_around(g);
-    known[0] = tip_of(&tips[0], g, &width[0]);
-    if (!tips[0].exits && !tips[1].exits) {
-        return 0;
-    }
-    for (int i = 0; i < 2; i++) {
-        iris_junction_arm *tip = &tips[i];
-        int too_short = (way->length + width[i]) * 1000 < search->config->branch_permil * width[i];
-        if (!known[i] || tip->exits || tip->thin || too_short || goes_on(g->mask, tip, width[i])) {
-            continue;
-        }
-        tip->angle = iris_angle_wrap((int32_t)tip->angle + 32768);
-        tip->length = way->length;
-        iris_junction_add(search, IRIS_JUNCTION_END, tip, 1, tip->tip, width[i]);
-    }
-    return 1;
-}
-
 /* Ways between two nodes come twice: the one that starts at the lesser fork counts. */
 static int is_second(const iris_graph_way *way)
 {
@@ -255,7 +189,7 @@ static void search_part(iris_junction_search *search, int32_t part)
     iris_graph *g = search->graph;
     if (part < 0) {
         const iris_graph_way *way = &g->ways[-1 - part];
-        if (look_at_ends(search, way)) {
+        if (iris_junction_ends(search, way)) {
             iris_graph_walk(g, way);
             iris_junction_corners(search, 0, 0);
         }

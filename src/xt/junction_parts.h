@@ -60,6 +60,10 @@ static inline int32_t iris_junction_least_radius(const iris_graph *g)
 /* junction_corner.c: corners of the path, which leads from one node or end to another. */
 void iris_junction_corners(iris_junction_search *search, int from_node, int to_node);
 
+/* junction_end.c: the ends of a line without a junction: where it stops, or turns behind a gap. Returns 0 when it does
+ * not leave the image, which is no robot's line. */
+int iris_junction_ends(iris_junction_search *search, const iris_graph_way *way);
+
 /* How far from a junction the points of a branch tell its direction: `widths`, or more where the line is thin. */
 static inline int32_t iris_junction_reach(const iris_image *mask, int32_t widths)
 {

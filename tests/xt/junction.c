@@ -185,6 +185,81 @@ static void an_end_before_a_gap_is_none(void **state)
     assert_int_equal(find(found, &mask), 0);
 }
 
+/* A piece from the bottom up to (80, 110), and another, from where a gap behind it ends on. The pieces are butted: `gap`
+ * widths are between the first one's end and the other's side. */
+static iris_image two_pieces(double width, double gap, double degrees, double beyond, double length)
+{
+    iris_image mask = blank(W, 200);
+    double side = degrees < 0 ? -1 : 1;
+    stroke(&mask, 80, 110 + width / 2, 180, width, 300);
+    stroke(&mask, 80 - side * beyond * width, 110 - (gap + 0.5) * width, degrees, width, length);
+    return mask;
+}
+
+static void a_corner_may_have_a_gap(void **state)
+{
+    (void)state;
+    for (int width = 7; width <= 15; width += 4) {
+        for (double gap = 0.5; gap <= 1.5; gap += 0.5) {
+            for (int turn = -1; turn <= 1; turn += 2) {
+                const double square[] = {180, 90.0 * turn}, blunt[] = {180, 60.0 * turn};
+                iris_image mask = two_pieces(width, gap, square[1], 0, 300);
+                expect(&mask, IRIS_JUNCTION_CORNER, 80, 110 - (gap + 0.5) * width, square, 2);
+                mask = two_pieces(width, gap, blunt[1], 0, 300);
+                expect(&mask, IRIS_JUNCTION_CORNER, 80, 110 - (gap + 0.5) * width, blunt, 2);
+            }
+        }
+    }
+}
+
+/* What lies across three widths behind an end, a piece beside it, a crumb in front of it: no part of the line. */
+static void an_end_near_something_else_is_one(void **state)
+{
+    (void)state;
+    const double back = 180;
+    for (int width = 7; width <= 11; width += 2) {
+        iris_image mask = two_pieces(width, 3, 90, 0, 300);
+        expect(&mask, IRIS_JUNCTION_END, 80, 110, &back, 1);
+        mask = two_pieces(width, 3, 90, 4, 70);
+        expect(&mask, IRIS_JUNCTION_END, 80, 110, &back, 1);
+        mask = two_pieces(width, 1, 0, -3, 60); /* beside, and away */
+        expect(&mask, IRIS_JUNCTION_END, 80, 110, &back, 1);
+        mask = two_pieces(width, 0, 180, -2, 25); /* beside, and back: two lines */
+        expect(&mask, IRIS_JUNCTION_END, 80, 110, &back, 1);
+        mask = two_pieces(width, 0.5, 90, -1, width * 0.9);
+        expect(&mask, IRIS_JUNCTION_END, 80, 110, &back, 1);
+    }
+}
+
+/* Three sides of a square and most of the fourth, at the side of the picture. */
+static void a_way_does_not_meet_itself(void **state)
+{
+    (void)state;
+    iris_junction found[TOP];
+    iris_image mask = blank(W, 200);
+    stroke(&mask, 8, 60, 90, 9, 60);
+    stroke(&mask, 68, 60, 180, 9, 60);
+    stroke(&mask, 68, 120, -90, 9, 60);
+    stroke(&mask, 8, 120, 0, 9, 45);
+    int32_t count = find(found, &mask);
+    for (int32_t i = 0; i < count; i++) {
+        assert_true(hypot(found[i].x_q4 / 16.0 - 8, found[i].y_q4 / 16.0 - 60) > 9);
+    }
+}
+
+static void dashes_are_one_line(void **state)
+{
+    (void)state;
+    iris_junction found[TOP];
+    for (int turn = -60; turn <= 60; turn += 15) {
+        iris_image mask = blank(W, H);
+        for (int from = -150; from < 150; from += 35) {
+            stroke(&mask, 80 + from * sin(turn * PI / 180), 60 - from * cos(turn * PI / 180), turn, 9, 20);
+        }
+        assert_int_equal(find(found, &mask), 0);
+    }
+}
+
 /* Glare. */
 static void holes_are_no_junctions(void **state)
 {
@@ -342,6 +417,10 @@ int main(void)
         cmocka_unit_test(finds_end),
         cmocka_unit_test(nothing_in_lines_and_curves),
         cmocka_unit_test(an_end_before_a_gap_is_none),
+        cmocka_unit_test(a_corner_may_have_a_gap),
+        cmocka_unit_test(an_end_near_something_else_is_one),
+        cmocka_unit_test(a_way_does_not_meet_itself),
+        cmocka_unit_test(dashes_are_one_line),
         cmocka_unit_test(holes_are_no_junctions),
         cmocka_unit_test(short_branches_are_none),
         cmocka_unit_test(the_nearest_comes_first),

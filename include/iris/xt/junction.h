@@ -66,7 +66,9 @@ typedef struct {
 void iris_junction_defaults(iris_junction_config *config);
 
 /* The junctions of a mask (IRIS_MASK1), the nearest to the bottom row first. The ends of a junction's branches are not
- * reported beside it, nor an end behind which the line goes on after a gap. config may be null for the defaults.
+ * reported beside it, nor an end behind which the line goes on after a gap of up to three widths. Ends of two pieces up
+ * to two widths from each other whose middles meet there at an angle are a corner: tape laid in pieces. The second piece
+ * is looked at for nothing else. config may be null for the defaults.
  *
  * IRIS_ERR_FULL: more than capacity; the nearest are there, and *count says how many were found.
  * IRIS_ERR_ARG: null pointer (junctions may be null when capacity is 0), a negative capacity, or a config value out of
