@@ -4,7 +4,7 @@ first_argument=
 . tests/outside
 
 # A camera 200 mm above the floor, 45 degrees down, of 161x121: x = 80 + 160 X / (Y + 200), y = 60 + 160 (200 - Y) / (Y + 200).
-printf '%s\n' '# x y X Y' '40 60 -100 200' '120 60 100 200' '60 -20 -100 600' '100 -20 100 600' '' '80 60 0 200 # middle' > marks.txt
+printf '%s\n' '# x y X Y' '40 60 -100 200' '120 60 100 200' '48 28 -100 300' '112 28 100 300' '' '80 60 0 200 # middle' > marks.txt
 works "floor" floor --points marks.txt --size 161x121 -o a.floor
 grep -q '5 points, off by 0.00 pixels and 0.0 mm' out; say $? "exact marks fit"
 [ "$(head -1 a.floor)" = "iris floor 1" ] && grep -q '^size 161 121$' a.floor && grep -q '^# point 80 60 at 0 200 mm' a.floor
@@ -58,28 +58,116 @@ refuses "follow with a damaged floor" 1 "line 2: not a floor" follow --floor mar
 { printf 'P5\n160 120\n255\n'; tail -c 19200 tape.pgm; } > small.pgm
 refuses "follow another size" 1 "small.pgm: 160x120 pixels, but the floor file was made for pictures of 161x121" follow --floor a.floor small.pgm
 
+# --- points files as others write them, and marks to be warned of ---
+warns() { # warns NAME PATTERN ARGUMENT... : exit 0, one line on standard error that matches
+    name=$1; pattern=$2; shift 2; run "$@"
+    [ $code -eq 0 ] && [ "$(wc -l < err)" -eq 1 ] && grep -Eq "$pattern" err; say $? "$name"
+}
+sed 's/ *#.*//; s/ /,/g; s/$/\r/' marks.txt > commas.csv
+sed '1d; s/ *#.*//; s/ /; /g' marks.txt > semicolons.csv
+tr ' ' '\t' < marks.txt > tabs.txt
+{ printf '\357\273\277'; sed 1d commas.csv; } > bom.csv
+for file in commas.csv semicolons.csv tabs.txt bom.csv; do
+    works "$file" floor --points $file --size 161x121 -o c.floor
+    cmp -s a.floor c.floor; say $? "$file: the same floor"
+done
+printf '1 2 3 1,5 7\n' > five.txt
+refuses "a comma in a number" 1 "line 1: expected are x y X_mm Y_mm: .* commas, or semicolons between" floor --points five.txt --size 161x121
+warns "a mark outside" "marks.txt: warning: line 2: 40 60 is outside of the picture of 161x60 pixels, and it is not the only one" floor --points marks.txt --size 161x60
+printf '%s\n' '66 12 -50 371.42857 # beside' '94 12 50 371.42857' >> marks.txt
+sed '$s/94 12/124 12/' marks.txt > odd.txt
+warns "a mark read off wrongly" "odd.txt: warning: line 9 does not fit the others: 30.0 pixels" floor --points odd.txt --size 161x121
+[ -s out ]; say $? "and the floor is there"
+head -7 marks.txt | sed '$s/80 60/80 85/' > bad5.txt
+warns "five marks that do not fit" "warning: the points do not fit each other: off by [0-9.]* pixels .*, line [0-9]+ the most" floor --points bad5.txt --size 161x121
+works "good marks" floor --points marks.txt --size 161x121
+
+# --- places in millimeters: a level camera whose horizon is row 20: x = 80 + 100 X / (Y + 100), y = 20 + 16000 / (Y + 100) ---
+printf '%s\n' '30 100 -100 100' '130 100 100 100' '55 60 -100 300' '105 60 100 300' > level.txt
+works "a level camera" floor --points level.txt --size 161x121 -o level.floor
+picture() { # picture CONDITION : 161x121, black where it holds of x and y, white elsewhere
+    awk "BEGIN { printf \"P5 161 121 255\\n\"
+        for (y = 0; y < 121; y++) for (x = 0; x < 161; x++) printf \"%s\", ($1) ? \" \" : \"~\" }" |
+        tr '~' '\377'
+}
+# places : for each object of out with x0..true_deg: is it what double precision makes of its ends? null above the horizon
+places() {
+    tr '{' '\n' < out | sed -n 's/.*"x0":\([^,]*\),"y0":\([^,]*\),"x1":\([^,]*\),"y1":\([^,}]*\).*"x0_mm":\([^,]*\),"y0_mm":\([^,]*\),"x1_mm":\([^,]*\),"y1_mm":\([^,]*\),"length_mm":\([^,]*\),"true_deg":\([^,}]*\)}.*/\1 \2 \3 \4 \5 \6 \7 \8 \9/p' > ends
+    tr '{' '\n' < out | sed -n 's/.*"true_deg":\([^,}]*\)}.*/\1/p' | paste -d ' ' ends - | awk '
+        function off(a, b) { return a - b > 0.06 || b - a > 0.06 }
+        function place(x, y) { depth = 16000 / (y - 20); X = (x - 80) * depth / 100; Y = depth - 100 }
+        function end(x, y, a, b) {
+            if (y <= 20) { bad += a != "null" || b != "null"; none = 1; return }
+            place(x, y); bad += off(X, a) || off(Y, b) }
+        { none = 0; end($1, $2, $5, $6); X0 = X; Y0 = Y; end($3, $4, $7, $8); dX = X - X0; dY = Y - Y0
+          if (none) bad += $9 != "null" || $10 != "null"
+          else bad += off(sqrt(dX * dX + dY * dY), $9) || off(atan2(dX, dY) * 57.29577951, $10) }
+        END { exit bad || NR != '"$1"' }'
+    say $? "$1 places in millimeters, angles and lengths as double precision has them"
+}
+picture '!(x - 80 + 5 * (y - 20) / 8 < 0.5 && x - 80 + 5 * (y - 20) / 8 >= -0.5 && y >= 50 && y < 111)' > white.pgm
+works "lines --floor" lines --mask --floor level.floor --json white.pgm
+places 1; near true_deg 0 1.5; near x0_mm -100 2; near length_mm 355.5 8
+works "lines --floor --roi" lines --mask --floor level.floor --json --roi 10,40,100,70 white.pgm
+places 1; near true_deg 0 1.5
+works "lines --floor in words" lines --mask --floor level.floor white.pgm
+grep -Eq ', on the floor -(99|10[01]),[0-9]+ to -(99|10[01]),[0-9]+ mm, length 3[0-9]+ mm, angle [-+][01]\.[0-9]$' out; say $? "millimeters in words"
+picture '!(x >= 40 && x < 43 && y >= 5 && y < 60)' > up.pgm
+works "lines through the horizon" lines --mask --floor level.floor --json up.pgm
+places 1; grep -q '"x1_mm":null,"y1_mm":null,"length_mm":null,"true_deg":null}' out; say $? "null beyond"
+works "in words" lines --mask --floor level.floor up.pgm
+grep -q ', on the floor not wholly in sight$' out; say $? "not wholly in sight"
+picture 'x - 80 + 5 * (y - 20) / 8 < 4 && x - 80 + 5 * (y - 20) / 8 >= -4 && y >= 50' > tape.pgm
+works "paths --floor" paths --floor level.floor --json tape.pgm
+places 1; near true_deg 0 4
+works "paths --floor in words" paths --floor level.floor tape.pgm
+grep -q ', on the floor -[0-9]*,[0-9]* to ' out; say $? "millimeters in words"
+picture '!(x >= 60 && x < 70 && ((y >= 90 && y < 100) || (y >= 5 && y < 11)))' > parts.pgm
+works "blobs --floor" blobs --floor level.floor --json parts.pgm
+grep -q '"id":1,.*"x_mm":-31.2,"y_mm":101.3},{"id":2,.*"x_mm":null,"y_mm":null}' out; say $? "where it stands, and null"
+works "blobs --floor --roi" blobs --floor level.floor --json --roi 50,80,60,40 parts.pgm
+grep -q '"count":1,.*"x_mm":-31.2,"y_mm":101.3}' out; say $? "the same in a part"
+works "blobs --floor in words" blobs --floor level.floor parts.pgm
+[ "$(grep -c ', stands at -31,101 mm$' out)" = 1 ]; say $? "where it stands in words"
+works "blobs without" blobs --json parts.pgm
+! grep -q _mm out; say $? "has no millimeters"
+for command in "blobs" "lines" "paths" "blobs --roi 0,0,100,60"; do
+    refuses "$command of another size" 1 "small.pgm: 160x120 pixels, but the floor file was made for pictures of 161x121" $command --floor level.floor --json small.pgm
+    refuses "$command with a damaged floor" 1 "line 1: not a floor file" $command --floor level.txt --json parts.pgm
+done
+# A T at 120,60: straight down in the picture is 0.4 to the left for each 1 back.
+picture '(y >= 56 && y < 65) || (x >= 116 && x < 125 && y >= 56)' > t.pgm
+works "follow --junctions --floor" follow --junctions --floor level.floor --json t.pgm
+grep -q '"junctions":\[{"type":"T",[^]]*\],"distance_rows":[^}]*,"branches_true_deg":\[-158[.0-9]*,-90[.0-9]*,\(90\|89\)[.0-9]*\]}\]' out; say $? "a T with true angles"
+near x_mm 160 1.5; near y_mm 300 3
+works "in words" follow --junctions --floor level.floor t.pgm
+grep -Eq '  T 120,60 -180/-90/\+90 \((159|160|161),(299|300|301) mm -158/-90/\+(89|90)\)' out; say $? "millimeters and true angles in words"
+picture '(y >= 8 && y < 17) || (x >= 76 && x < 85 && y >= 8)' > high.pgm
+works "a T beyond the horizon" follow --junctions --floor level.floor --json high.pgm
+grep -q '"type":"T",[^}]*"x_mm":null,"y_mm":null,"branches_true_deg":null}' out; say $? "null"
+
 refuses "no points" 2 "points FILE is needed" floor --size 161x121
 refuses "no size" 2 "size WxH or --image IN" floor --points marks.txt
 refuses "two sizes" 2 "size WxH or --image IN" floor --points marks.txt --size 9x9 --image ramp.pgm
 refuses "--size" 2 "WxH in pixels, not '9'" floor --points marks.txt --size 9
 refuses "an operand" 2 "no operand is expected" floor --points marks.txt --size 9x9 marks.txt
 refuses "points that are not there" 1 "none.txt: No such file" floor --points none.txt --size 9x9
-refuses "a picture as points" 1 "line 1: four numbers" floor --points ramp.pgm --size 9x9
+refuses "a picture as points" 1 "line 1: expected are x y X_mm Y_mm: four numbers within 32767 with blanks, commas, or semicolons" floor --points ramp.pgm --size 9x9
 printf '1 2 3 4\n1 2 3\n' > bad.txt
-refuses "three numbers" 1 "bad.txt: line 2: four numbers" floor --points bad.txt --size 9x9
+refuses "three numbers" 1 "bad.txt: line 2: expected are" floor --points bad.txt --size 9x9
 head -4 marks.txt > few.txt
 refuses "three marks" 1 "four different points are needed at least \(3 points\)" floor --points few.txt --size 161x121
-printf '%s\n' '40 60 -100 200' '80 60 0 200' '120 60 100 200' '60 -20 -100 600' > line.txt
+printf '%s\n' '40 60 -100 200' '80 60 0 200' '120 60 100 200' '48 28 -100 300' > line.txt
 refuses "three in a line" 1 "on one line" floor --points line.txt --size 161x121 -o no.floor
 [ ! -e no.floor ]; say $? "and no file"
-sed 's/^\(4\|6\)0 \(60\|-20\) -100/\10 \2 +/; s/^\(12\|10\)0 \(60\|-20\) 100/\10 \2 -100/; s/+/100/' marks.txt > mirror.txt
+awk 'NF > 3 && $1 != "#" { $3 = -$3 } { print }' marks.txt > mirror.txt
 refuses "a mirror" 1 "a mirror.s view" floor --points mirror.txt --size 161x121
-printf '%s\n' '120 60 -100 200' '40 60 100 200' '60 -20 -100 600' '100 -20 100 600' > bow.txt
+printf '%s\n' '120 60 -100 200' '40 60 100 200' '48 28 -100 300' '112 28 100 300' > bow.txt
 refuses "two interchanged" 1 "may be interchanged" floor --points bow.txt --size 161x121
 { printf 'P5\n160 120\n255\n'; tail -c 19200 ramp.pgm; } > small.pgm
 refuses "another size" 1 "160x120 pixels, but the floor file was made for pictures of 161x121" birdseye --floor a.floor --window 0,1,2,3 small.pgm -o x.pgm
-refuses "no floor" 2 "floor: is needed" birdseye --window 0,1,2,3 ramp.pgm -o x.pgm
-refuses "no window" 2 "window: is needed" birdseye --floor a.floor ramp.pgm -o x.pgm
+refuses "no floor" 2 "floor FLOOR is needed" birdseye --window 0,1,2,3 ramp.pgm -o x.pgm
+refuses "no window" 2 "window x0,y0,x1,y1 is needed" birdseye --floor a.floor ramp.pgm -o x.pgm
 refuses "--window" 2 "left below right and near below far, not '0,3,2,1'" birdseye --floor a.floor --window 0,3,2,1 ramp.pgm -o x.pgm
 refuses "too large" 2 "pixels at this --scale" birdseye --floor a.floor --window -9000,0,9000,9000 --scale 0.1 ramp.pgm -o x.pgm
 refuses "--scale" 2 "millimeters per pixel, not '0'" birdseye --floor a.floor --window 0,1,2,3 --scale 0 ramp.pgm -o x.pgm

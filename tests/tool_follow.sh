@@ -229,6 +229,20 @@ done
 refuses "--baud 12345" 2 '^iris follow: --baud: 12345 ' --serial /dev/null --baud 12345 right.pgm
 refuses "--baud fast" 2 '^iris follow: --baud: ' --serial /dev/null --baud fast right.pgm
 
+# A line of 80 on a floor of 150: 47 % darker, and 48 % are asked for by default.
+{ printf 'P5 64 48 255\n'; tail -c 3072 right.pgm | tr ' ~' '\120\226'; } > faint.pgm
+works "a faint line" --json faint.pgm
+is "is lost by default" state '"lost"'
+works "--contrast" --json --contrast 25 faint.pgm
+is "is found" state '"found"'
+near "is found" width_px 8 0
+works "--contrast 90" --json --contrast 90 right.pgm
+is "asks for more" state '"lost"'
+works "--contrast --junctions" --json --contrast 10 --junctions faint.pgm
+for n in 9 91 x; do
+    refuses "--contrast $n" 2 "^iris follow: --contrast: 10 to 90, not '$n'" --contrast $n right.pgm
+done
+refuses "--contrast of a color" 2 "^iris follow: --contrast: only for dark and bright lines" --contrast 20 --line hsl:0-9:0-9:0-9 red.ppm
 refuses "--baud without --serial" 2 '^iris follow: --baud: only together with --serial$' --baud 9600 right.pgm
 refuses "standard input twice" 2 '^iris follow: -: standard input is given twice$' - right.pgm -
 

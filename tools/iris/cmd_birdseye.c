@@ -95,7 +95,7 @@ static int parse(void *settings, operation_words *words)
         return 0;
     }
     if (!floor || !window) {
-        complain(floor ? "--window" : "--floor", "is needed (see --help)");
+        complain(NULL, "%s is needed (see --help)", floor ? "--window x0,y0,x1,y1" : "--floor FLOOR");
         return 0;
     }
     if (!args_q16(&with->window.mm_per_pixel_q16, IRIS_BIRDSEYE_SCALE_MIN, IRIS_BIRDSEYE_SCALE_MAX, scale)) {

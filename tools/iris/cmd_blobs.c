@@ -3,12 +3,13 @@
 
 #include "canvas.h"
 #include "commands.h"
+#include "floor_option.h"
 #include "iris/xt/blob.h"
 #include "operation.h"
 
 static const char help[] =
     "usage: iris blobs [--connectivity 4|8] [--min-area N] [--max-area N] [--count N] [FILTER...]\n"
-    "                  [--roi x,y,w,h] [--json] IN... [-o OUT]\n\n"
+    "                  [--floor FLOOR] [--roi x,y,w,h] [--json] IN... [-o OUT]\n\n"
     "The connected white parts of a mask, the largest first: place, size, direction, shape, and mean color.\n"
     "Gray and color pictures count as white above 127.\n\n"
     "  --connectivity N  8: pixels that touch by a corner belong together (the default), 4: by a side only\n"
@@ -21,16 +22,19 @@ static const char help[] =
     "  --elongation A-B  only blobs A to B times as long as they are broad, such as 2.5-100\n"
     "  --holes A-B       only blobs with A to B holes\n"
     "  --inside          only blobs that do not touch the picture's edge\n"
-    "  --center x,y,w,h  only blobs whose center is in this part\n" OPERATION_OPTIONS "\n"
+    "  --center x,y,w,h  only blobs whose center is in this part\n" FLOOR_OPTION_HELP OPERATION_OPTIONS "\n"
     "JSON has count and blobs: id (from 1), x, y, w, h (the box), cx, cy (the center of gravity), area,\n"
     "angle_deg (of the long axis: 0 straight up, positive when it leans right), elongation, length,\n"
     "breadth (of the rectangle with the same moments), perimeter, edges (pixel sides around it), holes,\n"
-    "and mean (a number for gray, [r,g,b] for color). With -o a picture with boxes, centers, and axes.\n\n"
+    "and mean (a number for gray, [r,g,b] for color). With --floor also x_mm, y_mm: where it stands, the\n"
+    "middle of its box's lower edge; null beyond the horizon. With -o a picture with boxes, centers, and "
+    "axes.\n\n"
     "example: iris blobs --min-area 50 parts.bmp -o found.bmp\n";
 
 typedef struct {
     iris_blob_config config;
     int32_t most; /* of --count */
+    floor_option floor;
 } settings;
 
 /* What apply leaves for report; the blobs lie behind it. */
@@ -122,6 +126,10 @@ static void draw(const iris_image *color, const finding *found)
 
 static int apply(iris_image *result, const iris_image *input, operation_stage *stage)
 {
+    const settings *by = stage->settings;
+    if (!floor_option_fits(&by->floor, stage)) {
+        return EXIT_BAD_DATA;
+    }
     const iris_image *mask = stage_mask(stage, input);
     const iris_image *picture = mask && input->format != IRIS_MASK1 ? stage_levels(stage, input) : NULL;
     const iris_image *color = mask ? stage_color(stage, input) : NULL;
@@ -164,6 +172,30 @@ static void report_mean(json_writer *json, iris_color mean, iris_format format)
     json_close(json, ']');
 }
 
+/* Where the blob stands on the floor; 0: there is no floor, or not there. */
+static int foot_of(iris_place *mm, const iris_blob *blob, const operation_stage *stage)
+{
+    const settings *by = stage->settings;
+    iris_rect box = blob->box;
+    int32_t x, y;
+    stage_origin(&x, &y, stage);
+    box.x += x;
+    box.y += y;
+    *mm = (iris_place){0, 0};
+    return by->floor.used && iris_floor_foot(mm, &by->floor.floor, box) == IRIS_OK;
+}
+
+static void report_foot(json_writer *json, const iris_blob *blob, const operation_stage *stage)
+{
+    const settings *by = stage->settings;
+    iris_place mm;
+    int stands = foot_of(&mm, blob, stage);
+    if (by->floor.used) {
+        floor_json_mm(json, "x_mm", stands, mm.x_q16);
+        floor_json_mm(json, "y_mm", stands, mm.y_q16);
+    }
+}
+
 static void report(json_writer *json, const operation_stage *stage)
 {
     const finding *found = stage->finding;
@@ -192,6 +224,7 @@ static void report(json_writer *json, const operation_stage *stage)
         report_integer(json, "edges", blob->edges);
         report_integer(json, "holes", blob->holes);
         report_mean(json, blob->mean, found->format);
+        report_foot(json, blob, stage);
         json_close(json, '}');
     }
     json_close(json, ']');
@@ -207,10 +240,15 @@ static void print(FILE *out, const operation_stage *stage)
         const iris_blob *blob = &found->table.blobs[i];
         iris_blob_shape shape = shape_of(blob);
         fprintf(out,
-                "  %d: area %d, center %.1f,%.1f, box %d,%d,%d,%d, angle %.1f, elongation %.2f, holes %d\n",
+                "  %d: area %d, center %.1f,%.1f, box %d,%d,%d,%d, angle %.1f, elongation %.2f, holes %d",
                 (int)i + 1, (int)blob->area, x + blob->x_q16 / 65536.0, y + blob->y_q16 / 65536.0,
                 (int)(x + blob->box.x), (int)(y + blob->box.y), (int)blob->box.w, (int)blob->box.h,
                 shape.angle * (360 / 65536.0), shape.elongation_q16 / 65536.0, (int)blob->holes);
+        iris_place mm;
+        if (foot_of(&mm, blob, stage)) {
+            fprintf(out, ", stands at %.0f,%.0f mm", mm.x_q16 / 65536.0, mm.y_q16 / 65536.0);
+        }
+        fputc('\n', out);
     }
 }
 
@@ -303,6 +341,7 @@ static int parse(void *memory, operation_words *words)
 {
     settings *by = memory;
     texts given = {0};
+    const char *floor = NULL;
     int inside = 0;
     const args_option options[] = {{"connectivity", 0, NULL, &given.connectivity},
                                    {"min-area", 0, NULL, &given.min_area},
@@ -314,14 +353,15 @@ static int parse(void *memory, operation_words *words)
                                    {"elongation", 0, NULL, &given.elongation},
                                    {"holes", 0, NULL, &given.holes},
                                    {"center", 0, NULL, &given.center},
-                                   {"inside", 0, &inside, NULL}};
+                                   {"inside", 0, &inside, NULL},
+                                   {"floor", 0, NULL, &floor}};
     iris_blob_defaults(&by->config);
     by->most = INT32_MAX;
     if (!operation_options(words, options, sizeof options / sizeof options[0]) || !read_texts(by, &given)) {
         return 0;
     }
     by->config.filter.inside = inside;
-    return 1;
+    return floor_option_read(&by->floor, floor, words);
 }
 
 const operation operation_blobs = {.name = "blobs",

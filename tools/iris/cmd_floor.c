@@ -14,11 +14,13 @@
 static const char help[] =
     "usage: iris floor --points FILE (--size WxH | --image IN) [--json] [-o FLOOR]\n\n"
     "From marks on the floor to a floor file: how the camera sees the floor, for iris birdseye and\n"
-    "iris follow --floor. Prints how far the marks are from where the floor would show them.\n\n"
+    "--floor of follow, lines, paths, and blobs. Prints how far the marks are from where the floor would\n"
+    "show them, and warns of marks that do not fit.\n\n"
     "  --points FILE  a mark per line, four at least, not three of four on a line: x y X Y.\n"
     "                 x y: where the picture shows it, pixels, 0 0 is the center of the top left\n"
     "                 one; X Y: where it is on the floor, millimeters, X to the right of, Y ahead\n"
     "                 of a place of your choice (to steer by: the middle of the robot's axle).\n"
+    "                 Blanks, tabs, commas, or semicolons stand between numbers (1.5: with a point).\n"
     "                 What stands behind a # does not count. -: standard input\n"
     "  --size WxH     of the pictures that the marks were read off\n"
     "  --image IN     the same, from one of these pictures\n"
@@ -26,11 +28,20 @@ static const char help[] =
     "  -o FLOOR       writes the floor file (a text); -: to standard output, and nothing else\n\n"
     "example: iris floor --points marks.txt --image floor.bmp -o robot.floor\n";
 
+#define BYTE_ORDER_MARK "\xEF\xBB\xBF" /* of UTF-8; some editors put it in front of a text */
+
 typedef struct {
     iris_floor_mark marks[IRIS_FLOOR_MARKS_MAX];
     int lines[IRIS_FLOOR_MARKS_MAX];
     int32_t count;
 } mark_list;
+
+enum {
+    HALF = 32768,   /* a pixel reaches so far to each side */
+    BAD_FIT_PX = 5, /* root mean square: marks are read off better */
+    ODD_PX = 3,     /* a mark that is off by less is none to warn of */
+    ODD_RATIO = 4   /* the others fit so many times better without it */
+};
 
 typedef struct {
     iris_floor floor;
@@ -42,8 +53,9 @@ static int read_mark(iris_floor_mark *mark, char *line)
 {
     int32_t values[4];
     int count = 0;
+    static const char between[] = " \t\r,;";
     char *rest = line;
-    for (char *word = strtok_r(line, " \t\r", &rest); word; word = strtok_r(NULL, " \t\r", &rest)) {
+    for (char *word = strtok_r(line, between, &rest); word; word = strtok_r(NULL, between, &rest)) {
         if (count == 4 || !args_q16(&values[count++], -INT32_MAX, INT32_MAX, word)) {
             return -1;
         }
@@ -64,7 +76,8 @@ static int read_marks(mark_list *list, const char *path)
     }
     text[length] = '\0';
     int number = 0;
-    for (char *line = text; line; number++) {
+    int has_mark = strncmp(text, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0;
+    for (char *line = has_mark ? text + strlen(BYTE_ORDER_MARK) : text; line; number++) {
         char *end = memchr(line, '\n', (size_t)(text + length - line));
         char *next = end ? end + 1 : NULL;
         if (end) {
@@ -77,7 +90,10 @@ static int read_marks(mark_list *list, const char *path)
         }
         int found = read_mark(&mark, line);
         if (found < 0) {
-            complain(path, "line %d: four numbers within 32767 are expected: x y X_mm Y_mm", number + 1);
+            complain(path,
+                     "line %d: expected are x y X_mm Y_mm: four numbers within 32767 with blanks, "
+                     "commas, or semicolons between them",
+                     number + 1);
             return EXIT_BAD_DATA;
         }
         if (found && list->count == IRIS_FLOOR_MARKS_MAX) {
@@ -93,13 +109,78 @@ static int read_marks(mark_list *list, const char *path)
     return EXIT_DONE;
 }
 
-/* How far the mark is from where the floor shows it, in pixels. */
+/* How far a mark is from where a floor shows it, in pixels. */
+static double distance_px(const iris_floor *floor, const iris_floor_mark *mark)
+{
+    iris_place put = {0, 0};
+    (void)iris_floor_image(&put, floor, mark->floor);
+    return hypot((double)put.x_q16 - mark->image.x_q16, (double)put.y_q16 - mark->image.y_q16) / 65536;
+}
+
 static double off_px(const result *r, int32_t i)
 {
-    const iris_floor_mark *mark = &r->list->marks[i];
-    iris_place put = {0, 0};
-    (void)iris_floor_image(&put, &r->floor, mark->floor);
-    return hypot((double)put.x_q16 - mark->image.x_q16, (double)put.y_q16 - mark->image.y_q16) / 65536;
+    return distance_px(&r->floor, &r->list->marks[i]);
+}
+
+static void warn_outside(const char *path, const result *r)
+{
+    const int64_t w = r->floor.size.w, h = r->floor.size.h;
+    int32_t first = -1, count = 0;
+    for (int32_t i = 0; i < r->list->count; i++) {
+        iris_place at = r->list->marks[i].image;
+        if (at.x_q16 < -HALF || at.y_q16 < -HALF || at.x_q16 > w * 65536 - HALF ||
+            at.y_q16 > h * 65536 - HALF) {
+            first = count == 0 ? i : first;
+            count++;
+        }
+    }
+    if (count > 0) {
+        iris_place at = r->list->marks[first].image;
+        complain(path, "warning: line %d: %g %g is outside of the picture of %dx%d pixels%s",
+                 r->list->lines[first], at.x_q16 / 65536.0, at.y_q16 / 65536.0, (int)w, (int)h,
+                 count > 1 ? ", and it is not the only one" : "");
+    }
+}
+
+/* The mark without which the others fit far better, and how far off from these it is; -1: none. It need not be the one
+ * that is worst with all of them, as it draws the floor to itself. */
+static int32_t odd_one(double *px, const result *r)
+{
+    static iris_floor_mark others[IRIS_FLOOR_MARKS_MAX];
+    int32_t last = r->list->count - 1, odd = -1;
+    iris_q16 least = r->quality.rms_px_q16 / ODD_RATIO;
+    for (int32_t i = 0; i <= last && last >= 5; i++) { /* five of them have something to compare */
+        iris_floor floor;
+        iris_floor_quality quality;
+        memcpy(others, r->list->marks, sizeof others);
+        others[i] = others[last];
+        if (iris_floor_fit(&floor, &quality, r->floor.size, others, last) == IRIS_OK &&
+            quality.rms_px_q16 < least && distance_px(&floor, &r->list->marks[i]) > ODD_PX) {
+            least = quality.rms_px_q16;
+            odd = i;
+            *px = distance_px(&floor, &r->list->marks[i]);
+        }
+    }
+    return odd;
+}
+
+/* Says on standard error what is suspicious about the marks. */
+static void warn(const char *path, const result *r)
+{
+    double px = 0;
+    int32_t odd = odd_one(&px, r);
+    warn_outside(path, r);
+    if (odd >= 0) {
+        complain(path, "warning: line %d does not fit the others: %.1f pixels from where they put it",
+                 r->list->lines[odd], px);
+    } else if (r->quality.rms_px_q16 > BAD_FIT_PX * 65536) {
+        complain(
+            path,
+            "warning: the points do not fit each other: off by %.1f pixels (root mean square), line %d the "
+            "most, by %.1f",
+            r->quality.rms_px_q16 / 65536.0, r->list->lines[r->quality.worst],
+            r->quality.max_px_q16 / 65536.0);
+    }
 }
 
 static int write_floor(FILE *file, const void *user)
@@ -219,6 +300,7 @@ static int run(const char *points, iris_size size, const char *output, int json)
         complain_flaw(points, r.quality.flaw, list.count);
         return EXIT_BAD_DATA;
     }
+    warn(points, &r);
     if (output && !file_write(output, write_floor, &r)) {
         return EXIT_BAD_DATA;
     }

@@ -24,6 +24,9 @@ static const char help[] =
     "several one after another. All of them together are one sequence.\n\n"
     "  --line KIND    dark (default), bright, or hsl:H0-H1,S0-S1,L0-L1 (colons will do, too):\n"
     "                 hue in degrees, saturation and lightness in percent; 350-10 goes through red\n"
+    "  --contrast N   percent, 10 to 90, default 35, by which a pixel of the line is darker than the\n"
+    "                 floor at least (bright lines: the floor than the line). The line as a whole\n"
+    "                 has a fifth of the rest more, 48: lower it for faint lines\n"
     "  --lane         follow the middle between two lines\n"
     "  --estimator E  straight parts by regression (default) or hough\n"
     "  --rows Y,...   the rows to report; default: the look-ahead row (a third from the top),\n"
@@ -217,7 +220,7 @@ static int run(const follow_options *options, const input_list *inputs)
 int cmd_follow(int argc, char **argv)
 {
     static follow_options options;
-    follow_texts texts = {NULL, NULL, NULL, NULL, NULL, NULL};
+    follow_texts texts = {NULL, NULL, NULL, NULL, NULL, NULL, NULL};
     follow_floor_texts floor = {NULL, NULL, NULL, NULL};
     int lane = 0;
     const args_option known[] = {{"floor", 0, NULL, &floor.floor},
@@ -225,6 +228,7 @@ int cmd_follow(int argc, char **argv)
                                  {"radius", 0, NULL, &floor.radius},
                                  {"axle", 0, NULL, &floor.axle},
                                  {"line", 0, NULL, &texts.line},
+                                 {"contrast", 0, NULL, &texts.contrast},
                                  {"lane", 0, &lane, NULL},
                                  {"estimator", 0, NULL, &texts.estimator},
                                  {"rows", 0, NULL, &texts.rows},

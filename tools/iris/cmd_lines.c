@@ -1,6 +1,7 @@
 #include "canny_options.h"
 #include "canvas.h"
 #include "commands.h"
+#include "floor_option.h"
 #include "iris/color.h"
 #include "iris/copy.h"
 #include "iris/xt/hough_segments.h"
@@ -11,7 +12,8 @@
 static const char help[] =
     "usage: iris lines [--low L] [--high H] [--sigma S] [--mask] [--votes N] [--angles LO,HI]\n"
     "                  [--theta-bins N] [--rho-step N] [--gap N] [--min-length N] [--count N]\n"
-    "                  [--full-circle] [--accumulator OUT] [--roi x,y,w,h] [--json] IN... [-o OUT]\n\n"
+    "                  [--full-circle] [--accumulator OUT] [--floor FLOOR] [--roi x,y,w,h] [--json] IN...\n"
+    "                  [-o OUT]\n\n"
     "Straight lines by Hough transform. In gray and color pictures Canny's edges vote for the\n"
     "lines along them, in masks (1-bit files) each white pixel for all lines through it.\n\n"
     "  --low L, --high H thresholds of edges: |dx| + |dy| of Sobel's operator, 0 to 32767;\n"
@@ -33,12 +35,14 @@ static const char help[] =
     "  --full-circle     theta from 0 to 360 degrees: where it gets brighter, so that the two\n"
     "                    sides of a stripe differ; of a mask: with rho not below 0\n"
     "  --accumulator OUT writes the votes as a gray picture, too: a row for each angle, from LO\n"
-    "                    down, and a column for each rho\n" OPERATION_OPTIONS "\n"
+    "                    down, and a column for each rho\n" FLOOR_OPTION_HELP OPERATION_OPTIONS "\n"
     "JSON has lines, each a segment: rho and theta_deg are those of its line,\n"
     "x cos theta + y sin theta = rho, with x and y counted from the middle of the picture (of the\n"
     "part with --roi): rho is signed. Then votes, and its ends x0, y0 (the lower one), x1, y1.\n"
     "points and voting are the numbers of edge points (of white pixels of a mask) and of those that\n"
     "vote: of more than 1048576 edge points an even selection.\n"
+    "With --floor also x0_mm, y0_mm, x1_mm, y1_mm, length_mm, and true_deg, the direction from x0, y0\n"
+    "to x1, y1 on the floor (0 straight ahead, right positive); null beyond the horizon.\n"
     "With -o the segments are drawn in color.\n\n"
     "example: iris lines --json --votes 60 road.bmp -o found.bmp\n";
 
@@ -55,6 +59,7 @@ typedef struct {
     int32_t votes, rho_step; /* 0: by the picture's size, as hough.theta_bins */
     int32_t count;           /* most lines */
     const char *accumulator; /* null: not written */
+    floor_option floor;
 } settings;
 
 /* What apply leaves for report, at the front of the room. */
@@ -277,6 +282,9 @@ static int apply(iris_image *result, const iris_image *input, operation_stage *s
 {
     search in = {.by = stage->settings, .edges.size = {input->w, input->h}};
     const iris_image *gray = NULL;
+    if (!floor_option_fits(&in.by->floor, stage)) {
+        return EXIT_BAD_DATA;
+    }
     if (in.by->is_mask || input->format == IRIS_MASK1) {
         const iris_image *mask = stage_mask(stage, input);
         in.mask = mask ? stage_copy(stage, mask) : NULL;
@@ -315,6 +323,7 @@ static double theta_degrees(const finding *found, const iris_hough_segment *segm
 static void report(json_writer *json, const operation_stage *stage)
 {
     static const char *const names[] = {"x0", "y0", "x1", "y1"};
+    const settings *by = stage->settings;
     const finding *found = stage->finding;
     int32_t x, y;
     stage_origin(&x, &y, stage);
@@ -335,6 +344,8 @@ static void report(json_writer *json, const operation_stage *stage)
             json_key(json, names[k]);
             json_integer(json, ends[k]);
         }
+        floor_option_json_line(json, &by->floor, iris_place_of(ends[0], ends[1]),
+                               iris_place_of(ends[2], ends[3]));
         json_close(json, '}');
     }
     json_close(json, ']');
@@ -346,6 +357,7 @@ static void report(json_writer *json, const operation_stage *stage)
 
 static void print(FILE *out, const operation_stage *stage)
 {
+    const settings *by = stage->settings;
     const finding *found = stage->finding;
     int32_t x, y;
     stage_origin(&x, &y, stage);
@@ -356,9 +368,12 @@ static void print(FILE *out, const operation_stage *stage)
     fputc('\n', out);
     for (int32_t i = 0; i < found->count; i++) {
         const iris_hough_segment *s = &found->segments[i];
-        fprintf(out, "  rho %.1f, theta %.1f degrees, %d votes: %d,%d to %d,%d\n", s->line.rho_q16 / 65536.0,
+        fprintf(out, "  rho %.1f, theta %.1f degrees, %d votes: %d,%d to %d,%d", s->line.rho_q16 / 65536.0,
                 theta_degrees(found, s), (int)s->line.votes, (int)(s->ends.x0 + x), (int)(s->ends.y0 + y),
                 (int)(s->ends.x1 + x), (int)(s->ends.y1 + y));
+        floor_option_print_line(out, &by->floor, iris_place_of(s->ends.x0 + x, s->ends.y0 + y),
+                                iris_place_of(s->ends.x1 + x, s->ends.y1 + y));
+        fputc('\n', out);
     }
 }
 
@@ -407,21 +422,16 @@ static int parse(void *memory, operation_words *words)
     settings *by = memory;
     canny_texts edges = {NULL, NULL, NULL};
     const char *votes = NULL, *angles = NULL, *theta = NULL, *rho = NULL;
-    const char *gap = NULL, *length = NULL, *count = NULL;
+    const char *gap = NULL, *length = NULL, *count = NULL, *floor = NULL;
     int full_circle = 0;
-    const args_option options[] = {{"low", 0, NULL, &edges.low},
-                                   {"high", 0, NULL, &edges.high},
-                                   {"sigma", 0, NULL, &edges.sigma},
-                                   {"mask", 0, &by->is_mask, NULL},
-                                   {"votes", 0, NULL, &votes},
-                                   {"angles", 0, NULL, &angles},
-                                   {"theta-bins", 0, NULL, &theta},
-                                   {"rho-step", 0, NULL, &rho},
-                                   {"gap", 0, NULL, &gap},
-                                   {"min-length", 0, NULL, &length},
-                                   {"count", 0, NULL, &count},
-                                   {"full-circle", 0, &full_circle, NULL},
-                                   {"accumulator", 0, NULL, &by->accumulator}};
+    const args_option options[] = {
+        {"low", 0, NULL, &edges.low},     {"high", 0, NULL, &edges.high},
+        {"sigma", 0, NULL, &edges.sigma}, {"mask", 0, &by->is_mask, NULL},
+        {"votes", 0, NULL, &votes},       {"angles", 0, NULL, &angles},
+        {"theta-bins", 0, NULL, &theta},  {"rho-step", 0, NULL, &rho},
+        {"gap", 0, NULL, &gap},           {"min-length", 0, NULL, &length},
+        {"count", 0, NULL, &count},       {"full-circle", 0, &full_circle, NULL},
+        {"floor", 0, NULL, &floor},       {"accumulator", 0, NULL, &by->accumulator}};
     set_defaults(by);
     if (!operation_options(words, options, sizeof options / sizeof options[0])) {
         return 0;
@@ -435,7 +445,8 @@ static int parse(void *memory, operation_words *words)
         {"--min-length", length, &by->segments.min_length, 1, IRIS_SIDE_MAX},
         {"--count", count, &by->count, 1, LINES_MAX}};
     return args_wholes(numbers, sizeof numbers / sizeof numbers[0]) && read_angles(&by->hough, angles) &&
-           canny_options_read(&by->canny, &edges) && check(by, words);
+           canny_options_read(&by->canny, &edges) && check(by, words) &&
+           floor_option_read(&by->floor, floor, words);
 }
 
 const operation operation_lines = {.name = "lines",

@@ -2,28 +2,32 @@
 
 #include "canvas.h"
 #include "commands.h"
+#include "floor_option.h"
 #include "iris/xt/line_mask.h"
 #include "iris/xt/paths.h"
 #include "operation.h"
 
 static const char help[] =
-    "usage: iris paths [--line dark|bright] [--method skeleton|quadtree] [--roi x,y,w,h] [--json] IN...\n"
-    "                  [-o OUT]\n\n"
+    "usage: iris paths [--line dark|bright] [--method skeleton|quadtree] [--floor FLOOR] [--roi x,y,w,h]\n"
+    "                  [--json] IN... [-o OUT]\n\n"
     "The lines on a floor, told apart, the longest first. Of a mask the white lines, of a gray or color\n"
     "picture those that are darker than the floor around them.\n\n"
     "  --line KIND        dark (the default) or bright lines\n"
     "  --method skeleton  lines followed along their middles, and straight through crossings (the default)\n"
     "  --method quadtree  by blocks: coarser, and lines that cross or touch are not told "
-    "apart\n" OPERATION_OPTIONS "\n"
+    "apart\n" FLOOR_OPTION_HELP OPERATION_OPTIONS "\n"
     "JSON has paths: x0, y0, x1, y1 (the ends, the lower one first), width, angle_deg (0 straight up, "
     "positive\n"
-    "when it leans right), and length. With -o a picture with each line in a color of its own.\n\n"
+    "when it leans right), and length. With --floor also x0_mm, y0_mm, x1_mm, y1_mm, length_mm (of\n"
+    "the straight way), and true_deg, the direction from x0, y0 to x1, y1 on the floor (0 straight ahead,\n"
+    "right positive); null beyond the horizon. With -o a picture with each line in a color of its own.\n\n"
     "example: iris paths --json floor.bmp -o lines.bmp\n";
 
 enum { PATHS_MAX = 64, LEAVES_MAX = 65536, REGIONS_MAX = 4096 };
 
 typedef struct {
     int bright, quadtree;
+    floor_option floor;
 } settings;
 
 /* What apply leaves for report. */
@@ -102,6 +106,9 @@ static int apply(iris_image *result, const iris_image *input, operation_stage *s
     finding *found = stage_room(stage, sizeof *found);
     int is_mask = input->format == IRIS_MASK1;
     const iris_image *seen = NULL;
+    if (!floor_option_fits(&by->floor, stage)) {
+        return EXIT_BAD_DATA;
+    }
     if (found && !(is_mask && !by->quadtree)) {
         seen = stage_gray(stage, input);
         seen = seen && !by->quadtree ? mask_of(seen, stage) : seen;
@@ -126,6 +133,7 @@ static int apply(iris_image *result, const iris_image *input, operation_stage *s
 static void report(json_writer *json, const operation_stage *stage)
 {
     static const char *const names[] = {"x0", "y0", "x1", "y1", "width"};
+    const settings *by = stage->settings;
     const finding *found = stage->finding;
     int32_t x, y;
     stage_origin(&x, &y, stage);
@@ -145,6 +153,8 @@ static void report(json_writer *json, const operation_stage *stage)
         json_number(json, iris_angle_to_centidegrees(p->angle) / 100.0, 1);
         json_key(json, "length");
         json_integer(json, p->length_px);
+        floor_option_json_line(json, &by->floor, iris_place_of(values[0], values[1]),
+                               iris_place_of(values[2], values[3]));
         json_close(json, '}');
     }
     json_close(json, ']');
@@ -152,15 +162,19 @@ static void report(json_writer *json, const operation_stage *stage)
 
 static void print(FILE *out, const operation_stage *stage)
 {
+    const settings *by = stage->settings;
     const finding *found = stage->finding;
     int32_t x, y;
     stage_origin(&x, &y, stage);
     fprintf(out, "%d line%s\n", (int)found->count, found->count == 1 ? "" : "s");
     for (int32_t i = 0; i < shown(found); i++) {
         const iris_path *p = &found->paths[i];
-        fprintf(out, "  %d,%d to %d,%d  width %d  angle %+.1f  length %d\n", (int)(p->x0 + x),
-                (int)(p->y0 + y), (int)(p->x1 + x), (int)(p->y1 + y), (int)p->width_px,
+        fprintf(out, "  %d,%d to %d,%d  width %d  angle %+.1f  length %d", (int)(p->x0 + x), (int)(p->y0 + y),
+                (int)(p->x1 + x), (int)(p->y1 + y), (int)p->width_px,
                 iris_angle_to_centidegrees(p->angle) / 100.0, (int)p->length_px);
+        floor_option_print_line(out, &by->floor, iris_place_of(p->x0 + x, p->y0 + y),
+                                iris_place_of(p->x1 + x, p->y1 + y));
+        fputc('\n', out);
     }
 }
 
@@ -177,14 +191,15 @@ static int word_of(const char *option, const char *first, const char *second, co
 static int parse(void *memory, operation_words *words)
 {
     settings *by = memory;
-    const char *line = "dark", *method = "skeleton";
-    const args_option options[] = {{"line", 0, NULL, &line}, {"method", 0, NULL, &method}};
-    if (!operation_options(words, options, 2)) {
+    const char *line = "dark", *method = "skeleton", *floor = NULL;
+    const args_option options[] = {
+        {"line", 0, NULL, &line}, {"method", 0, NULL, &method}, {"floor", 0, NULL, &floor}};
+    if (!operation_options(words, options, 3)) {
         return 0;
     }
     by->bright = word_of("--line", "dark", "bright", line);
     by->quadtree = by->bright < 0 ? -1 : word_of("--method", "skeleton", "quadtree", method);
-    return by->quadtree >= 0;
+    return by->quadtree >= 0 && floor_option_read(&by->floor, floor, words);
 }
 
 const operation operation_paths = {.name = "paths",

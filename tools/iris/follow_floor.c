@@ -5,6 +5,7 @@
 #include "args.h"
 #include "complain.h"
 #include "floor_file.h"
+#include "floor_option.h"
 
 static int read_mm(int32_t *mm, const char *option, const char *text, int32_t low, int32_t high)
 {
@@ -49,7 +50,7 @@ void follow_floor_steer(iris_command *command, iris_pursuit_goal *goal, iris_ste
     }
 }
 
-static double mm(iris_q16 value)
+static double mm_of(iris_q16 value)
 {
     return value / 65536.0;
 }
@@ -57,12 +58,6 @@ static double mm(iris_q16 value)
 static double degrees(iris_angle angle)
 {
     return iris_angle_to_centidegrees(angle) / 100.0;
-}
-
-static void json_mm(json_writer *json, const char *key, int exists, double value)
-{
-    json_key(json, key);
-    exists ? json_number(json, value, 1) : json_null(json);
 }
 
 static void json_piece(json_writer *json, const iris_segment *segment, const iris_floor *floor)
@@ -74,10 +69,10 @@ static void json_piece(json_writer *json, const iris_segment *segment, const iri
         return;
     }
     json_open(json, '{');
-    json_mm(json, "x0", 1, mm(piece.a.x_q16));
-    json_mm(json, "y0", 1, mm(piece.a.y_q16));
-    json_mm(json, "x1", 1, mm(piece.b.x_q16));
-    json_mm(json, "y1", 1, mm(piece.b.y_q16));
+    floor_json_mm(json, "x0", 1, piece.a.x_q16);
+    floor_json_mm(json, "y0", 1, piece.a.y_q16);
+    floor_json_mm(json, "x1", 1, piece.b.x_q16);
+    floor_json_mm(json, "y1", 1, piece.b.y_q16);
     json_key(json, "angle_deg");
     json_number(json, degrees(piece.angle), 2);
     json_close(json, '}');
@@ -89,8 +84,8 @@ void follow_floor_json(json_writer *json, const iris_pursuit_goal *goal, const i
     if (!by->used) {
         return;
     }
-    json_mm(json, "offset_mm", goal->found, mm(goal->offset_q16));
-    json_mm(json, "distance_mm", goal->found, mm(goal->distance_q16));
+    floor_json_mm(json, "offset_mm", goal->found, goal->offset_q16);
+    floor_json_mm(json, "distance_mm", goal->found, goal->distance_q16);
     json_key(json, "heading_deg");
     goal->found ? json_number(json, degrees(goal->heading), 2) : json_null(json);
     json_key(json, "segments_mm");
@@ -105,10 +100,48 @@ void follow_floor_json(json_writer *json, const iris_pursuit_goal *goal, const i
     json_close(json, ']');
 }
 
+void follow_floor_json_junction(json_writer *json, const iris_junction *junction, const follow_floor *by)
+{
+    iris_place mm = {0, 0}, at = {junction->x_q4 * 4096, junction->y_q4 * 4096};
+    if (!by->used) {
+        return;
+    }
+    int exists = iris_floor_point(&mm, &by->floor, at) == IRIS_OK;
+    floor_json_mm(json, "x_mm", exists, mm.x_q16);
+    floor_json_mm(json, "y_mm", exists, mm.y_q16);
+    json_key(json, "branches_true_deg");
+    if (!exists) {
+        json_null(json);
+        return;
+    }
+    json_open(json, '[');
+    for (int32_t i = 0; i < junction->branch_count; i++) {
+        iris_angle angle = 0;
+        (void)iris_floor_angle(&angle, &by->floor, at, junction->branches[i]);
+        json_number(json, degrees(angle), 1);
+    }
+    json_close(json, ']');
+}
+
+void follow_floor_print_junction(const iris_junction *junction, const follow_floor *by)
+{
+    iris_place mm, at = {junction->x_q4 * 4096, junction->y_q4 * 4096};
+    if (!by->used || iris_floor_point(&mm, &by->floor, at) != IRIS_OK) {
+        return;
+    }
+    printf(" (%.0f,%.0f mm", mm_of(mm.x_q16), mm_of(mm.y_q16));
+    for (int32_t i = 0; i < junction->branch_count; i++) {
+        iris_angle angle = 0;
+        (void)iris_floor_angle(&angle, &by->floor, at, junction->branches[i]);
+        printf("%s%+.0f", i == 0 ? " " : "/", degrees(angle));
+    }
+    putchar(')');
+}
+
 void follow_floor_print(const iris_pursuit_goal *goal, const follow_floor *by)
 {
     if (by->used && goal->found) {
-        printf("  at %4.0f mm %+5.0f mm  heading %+6.1f", mm(goal->distance_q16), mm(goal->offset_q16),
+        printf("  at %4.0f mm %+5.0f mm  heading %+6.1f", mm_of(goal->distance_q16), mm_of(goal->offset_q16),
                degrees(goal->heading));
     } else if (by->used) {
         printf("  at    - mm     - mm  heading      -");

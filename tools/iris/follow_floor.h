@@ -2,6 +2,7 @@
 #ifndef IRIS_TOOL_FOLLOW_FLOOR_H
 #define IRIS_TOOL_FOLLOW_FLOOR_H
 
+#include "iris/xt/junction.h"
 #include "iris/xt/pursuit.h"
 #include "json.h"
 
@@ -33,5 +34,9 @@ void follow_floor_steer(iris_command *command, iris_pursuit_goal *goal, iris_ste
 void follow_floor_json(json_writer *json, const iris_pursuit_goal *goal, const iris_follow_result *line,
                        const follow_floor *by);
 void follow_floor_print(const iris_pursuit_goal *goal, const follow_floor *by);
+
+/* The same of a junction: where it is, and the true angles of its branches. */
+void follow_floor_json_junction(json_writer *json, const iris_junction *junction, const follow_floor *by);
+void follow_floor_print_junction(const iris_junction *junction, const follow_floor *by);
 
 #endif

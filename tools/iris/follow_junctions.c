@@ -68,7 +68,8 @@ static void make_mask(const iris_image *frame, const iris_follow_config *config)
         iris_hsl_range_mask(&mask.image, frame, &config->color);
         return;
     }
-    const iris_line_mask_config kind = {config->kind == IRIS_FOLLOW_BRIGHT, 300};
+    const int32_t contrast = config->contrast_permil < 300 ? config->contrast_permil : 300;
+    const iris_line_mask_config kind = {config->kind == IRIS_FOLLOW_BRIGHT, contrast};
     iris_scratch_init(&scratch, memory, memory_bytes);
     iris_color_gray(&gray.image, frame, IRIS_GRAY_LUMA);
     iris_line_mask(NULL, &mask.image, &gray.image, &kind, &scratch);
@@ -101,7 +102,7 @@ static double degrees(iris_angle angle)
     return iris_angle_to_centidegrees(angle) / 100.0;
 }
 
-void follow_junctions_json(json_writer *json, const follow_junctions *junctions)
+void follow_junctions_json(json_writer *json, const follow_junctions *junctions, const follow_floor *floor)
 {
     if (junctions->count < 0) {
         return;
@@ -127,12 +128,13 @@ void follow_junctions_json(json_writer *json, const follow_junctions *junctions)
         json_integer(json, j->distance_rows);
         json_key(json, "confidence");
         json_number(json, j->confidence_permil / 1000.0, 3);
+        follow_floor_json_junction(json, j, floor);
         json_close(json, '}');
     }
     json_close(json, ']');
 }
 
-void follow_junctions_print(const follow_junctions *junctions)
+void follow_junctions_print(const follow_junctions *junctions, const follow_floor *floor)
 {
     for (int32_t i = 0; i < junctions->count; i++) {
         const iris_junction *j = &junctions->found[i];
@@ -140,6 +142,7 @@ void follow_junctions_print(const follow_junctions *junctions)
         for (int32_t k = 0; k < j->branch_count; k++) {
             printf("%s%+.0f", k == 0 ? " " : "/", degrees(j->branches[k]));
         }
+        follow_floor_print_junction(j, floor);
     }
 }
 

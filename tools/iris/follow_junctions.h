@@ -3,6 +3,7 @@
 #define IRIS_TOOL_FOLLOW_JUNCTIONS_H
 
 #include "canvas.h"
+#include "follow_floor.h"
 #include "iris/xt/follow.h"
 #include "iris/xt/junction_latch.h"
 #include "json.h"
@@ -28,8 +29,8 @@ int follow_junctions_look(follow_junctions *junctions, iris_follow_result *line,
                           const iris_follow_config *config, const follow_junction_options *options,
                           int32_t elapsed_ms);
 
-void follow_junctions_json(json_writer *json, const follow_junctions *junctions);
-void follow_junctions_print(const follow_junctions *junctions);
+void follow_junctions_json(json_writer *json, const follow_junctions *junctions, const follow_floor *floor);
+void follow_junctions_print(const follow_junctions *junctions, const follow_floor *floor);
 void follow_junctions_draw(const canvas *c, const follow_junctions *junctions);
 void follow_junctions_end(void);
 

@@ -64,6 +64,21 @@ static int read_number(int32_t *number, const char *option, const char *text, in
     return 1;
 }
 
+/* Percent to permil. */
+static int read_contrast(iris_follow_config *config, const char *text)
+{
+    int32_t percent;
+    if (config->kind == IRIS_FOLLOW_COLOR) {
+        complain("--contrast", "only for dark and bright lines");
+        return 0;
+    }
+    if (!read_number(&percent, "--contrast", text, 10, 90)) {
+        return 0;
+    }
+    config->contrast_permil = percent * 10;
+    return 1;
+}
+
 int follow_options_read(follow_options *options, const follow_texts *texts)
 {
     iris_follow_defaults(&options->line);
@@ -73,6 +88,7 @@ int follow_options_read(follow_options *options, const follow_texts *texts)
     options->rate = 30;
     options->baud = 115200;
     return (!texts->line || read_line(&options->line, texts->line)) &&
+           (!texts->contrast || read_contrast(&options->line, texts->contrast)) &&
            (!texts->estimator || read_estimator(&options->hough, texts->estimator)) &&
            (!texts->rows || read_rows(options, texts->rows)) &&
            (!texts->rate || read_number(&options->rate, "--rate", texts->rate, 1, 1000)) &&

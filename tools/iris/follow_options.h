@@ -24,7 +24,7 @@ typedef struct {
 
 /* The options as texts, null where not given. */
 typedef struct {
-    const char *line, *estimator, *rows, *rate, *baud, *take;
+    const char *line, *estimator, *rows, *rate, *baud, *take, *contrast;
 } follow_texts;
 
 /* Fills everything of `options` that texts decide; what is not given gets its default. Returns 0 after complaining. */

@@ -107,7 +107,7 @@ static void print_json(const follow_answer *answer, const follow_options *option
     json_value(&json, "steer", 1, answer->command.steer_permil / 1000.0, 3);
     json_value(&json, "steer_deg", 1, answer->wheel_centideg / 100.0, 2);
     json_value(&json, "speed", 1, answer->command.speed_permil / 1000.0, 3);
-    follow_junctions_json(&json, &answer->junctions);
+    follow_junctions_json(&json, &answer->junctions, &options->floor);
     follow_floor_json(&json, &answer->goal, line, &options->floor);
     json_rows(&json, answer, options);
     json_segments(&json, line);
@@ -146,7 +146,7 @@ static void print_text(const follow_answer *answer, const follow_options *option
     }
     printf("  steer %+5.2f %+5.1f deg  speed %4.2f", answer->command.steer_permil / 1000.0,
            answer->wheel_centideg / 100.0, answer->command.speed_permil / 1000.0);
-    follow_junctions_print(&answer->junctions);
+    follow_junctions_print(&answer->junctions, &options->floor);
     follow_floor_print(&answer->goal, &options->floor);
     print_rows(answer, options);
     putchar('\n');

@@ -56,6 +56,7 @@ typedef struct operation_stage {
     } memory;
     int has_roi;
     iris_rect roi;
+    iris_size whole; /* of the input, of which roi is a part */
     picture_buffer pictures[STAGE_PICTURES];
     int pictures_used;
     picture_buffer roi_input, roi_output;
@@ -137,6 +138,9 @@ void *stage_room(operation_stage *stage, size_t bytes);
 
 /* Where the first pixel of apply's input is in the whole picture: not at 0, 0 with --roi. */
 void stage_origin(int32_t *x, int32_t *y, const operation_stage *stage);
+
+/* The size of the whole picture, of which apply's input is a part with --roi. */
+iris_size stage_size(const operation_stage *stage);
 
 /* EXIT_DONE for IRIS_OK; else complains about stage->file, and EXIT_BAD_DATA. */
 int stage_exit(const operation_stage *stage, iris_status status);

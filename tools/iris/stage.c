@@ -116,6 +116,11 @@ void stage_origin(int32_t *x, int32_t *y, const operation_stage *stage)
     *y = stage->has_roi ? stage->roi.y : 0;
 }
 
+iris_size stage_size(const operation_stage *stage)
+{
+    return stage->whole;
+}
+
 int stage_exit(const operation_stage *stage, iris_status status)
 {
     if (status != IRIS_OK) {
@@ -150,6 +155,7 @@ int stage_apply(iris_image *result, const iris_image *input, operation_stage *st
     iris_image part, made;
     stage->pictures_used = 0;
     stage->finding = NULL;
+    stage->whole = (iris_size){input->w, input->h};
     if (!stage->has_roi) {
         return stage->operation->apply(result, input, stage);
     }
