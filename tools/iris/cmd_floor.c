@@ -28,6 +28,8 @@ static const char help[] =
     "  -o FLOOR       writes the floor file (a text); -: to standard output, and nothing else\n\n"
     "example: iris floor --points marks.txt --image floor.bmp -o robot.floor\n";
 
+#define ODD_CHANCE 0.01 /* of a warning of marks that are all good */
+
 #define BYTE_ORDER_MARK "\xEF\xBB\xBF" /* of UTF-8; some editors put it in front of a text */
 
 typedef struct {
@@ -39,8 +41,7 @@ typedef struct {
 enum {
     HALF = 32768,   /* a pixel reaches so far to each side */
     BAD_FIT_PX = 5, /* root mean square: marks are read off better */
-    ODD_PX = 3,     /* a mark that is off by less is none to warn of */
-    ODD_RATIO = 4   /* the others fit so many times better without it */
+    ODD_PX = 3      /* a mark that is off by less is none to warn of */
 };
 
 typedef struct {
@@ -142,23 +143,31 @@ static void warn_outside(const char *path, const result *r)
     }
 }
 
-/* The mark without which the others fit far better, and how far off from these it is; -1: none. It need not be the one
- * that is worst with all of them, as it draws the floor to itself. */
+/* How probable it is that without one mark the others fit so much better by chance: with errors as they are normally
+ * distributed the F test of 2 and 2 (count - 5) degrees of freedom, for the best of `count` marks. */
+static double chance(const iris_floor_quality *all, const iris_floor_quality *others, int32_t count)
+{
+    double before = pow(all->rms_px_q16, 2) * count, after = pow(others->rms_px_q16, 2) * (count - 1);
+    return count * pow(after / before, count - 5);
+}
+
+/* The mark that does not fit the others, and how far off from these it is; -1: none. It need not be the one that is
+ * worst with all of them, as it draws the floor to itself. */
 static int32_t odd_one(double *px, const result *r)
 {
     static iris_floor_mark others[IRIS_FLOOR_MARKS_MAX];
-    int32_t last = r->list->count - 1, odd = -1;
-    iris_q16 least = r->quality.rms_px_q16 / ODD_RATIO;
-    for (int32_t i = 0; i <= last && last >= 5; i++) { /* five of them have something to compare */
+    int32_t count = r->list->count, odd = -1;
+    iris_q16 least = r->quality.rms_px_q16;
+    for (int32_t i = 0; i < count && count > 5; i++) { /* five others have something to compare */
         iris_floor floor;
         iris_floor_quality quality;
         memcpy(others, r->list->marks, sizeof others);
-        others[i] = others[last];
-        if (iris_floor_fit(&floor, &quality, r->floor.size, others, last) == IRIS_OK &&
-            quality.rms_px_q16 < least && distance_px(&floor, &r->list->marks[i]) > ODD_PX) {
+        others[i] = others[count - 1];
+        if (iris_floor_fit(&floor, &quality, r->floor.size, others, count - 1) == IRIS_OK &&
+            quality.rms_px_q16 < least) {
             least = quality.rms_px_q16;
-            odd = i;
             *px = distance_px(&floor, &r->list->marks[i]);
+            odd = *px > ODD_PX && chance(&r->quality, &quality, count) < ODD_CHANCE ? i : -1;
         }
     }
     return odd;
