@@ -88,7 +88,7 @@ uint64_t iris_branches_of_word(const uint64_t *above, const uint64_t *word, cons
  * them is a branch point as iris_skeleton_branches says. */
 extern const int8_t iris_step_x[8], iris_step_y[8];
 unsigned iris_skeleton_neighbors(const iris_thinning *skeleton, int32_t x, int32_t y);
-int iris_skeleton_is_branch(unsigned neighbors);
+int iris_skeleton_is_branch(unsigned around);
 
 /* Takes pixel (x, y) away; the next iris_thinning_run looks at what is around it. */
 void iris_thinning_clear(const iris_thinning *thinning, int32_t x, int32_t y);
