@@ -2,6 +2,8 @@
 
 #include "junction_parts.h"
 
+enum { CLOSEST = 4551 }; /* 25 degrees: arms of a corner or a Y are farther apart than that */
+
 typedef char scratch_as_the_header_says
     [IRIS_JUNCTION_SCRATCH_BYTES(161, 121) == IRIS_GRAPH_SCRATCH_BYTES(161, 121) ? 1 : -1];
 
@@ -62,9 +64,25 @@ static int32_t clamp(int32_t value, int32_t most)
     return value < 0 ? 0 : value > most ? most : value;
 }
 
+/* Do two of the arms run beside each other? Then they are a thick or frayed line, not a corner or a Y. */
+static int hug(const iris_junction_arm *arms, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        for (int32_t k = 0; k < i; k++) {
+            if (iris_junction_bend(arms[i].angle, arms[k].angle) > 32768 - CLOSEST) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 void iris_junction_add(iris_junction_search *search, iris_junction_type type, const iris_junction_arm *arms,
                        int32_t count, iris_graph_point center, int32_t width)
 {
+    if ((type == IRIS_JUNCTION_CORNER || type == IRIS_JUNCTION_Y) && hug(arms, count)) {
+        return;
+    }
     iris_junction junction = {.type = type, .width_px = width, .branch_count = count};
     for (int32_t i = 0; i < count; i++) {
         junction.branches[i] = arms[i].angle;

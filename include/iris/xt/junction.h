@@ -31,9 +31,9 @@ extern "C" {
 
 typedef enum {
     IRIS_JUNCTION_END = 0, /* the line stops inside of the image: one branch, the line */
-    IRIS_JUNCTION_CORNER,  /* a sharp bend: two branches */
+    IRIS_JUNCTION_CORNER,  /* a sharp bend: two branches, not within 25 degrees */
     IRIS_JUNCTION_T,       /* a straight line and a branch to one side: from whichever side one comes */
-    IRIS_JUNCTION_Y,       /* three branches, no two of them one straight line */
+    IRIS_JUNCTION_Y,       /* three branches, no two one straight line, nor within 25 degrees */
     IRIS_JUNCTION_CROSSING /* four branches or more */
 } iris_junction_type;
 
