@@ -30,6 +30,17 @@ for turn in t:left t:right left:left left:straight right:right right:straight y:
         say $? "over a junction ($turn, floor $seed)"
     done
 done
+for robot in over ahead slow; do
+    for turn in left:left left:straight right:right right:straight crossing:left crossing:right t:left y:right; do
+        for seed in 3 4; do
+            "$demo" --junction ${turn%:*} --take ${turn#*:} --robot $robot --seed $seed > "$root/log" 2>&1
+            say $? "over a junction ($turn, floor $seed, robot $robot)"
+        done
+    done
+done
+"$demo" --junction t --take left --robot none > "$root/log" 2>&1
+[ $? -eq 2 ]
+say $? "a robot that does not exist"
 "$demo" --junction t --take straight > "$root/log" 2>&1
 [ $? -eq 2 ]
 say $? "a turn that a junction does not have"

@@ -436,6 +436,11 @@ works "follow without --junctions" --json --stills t.pgm
 grep -q junctions out; [ $? -eq 1 ]; say $? "nothing about junctions without the option"
 works "--take" --junctions --take left,right --json t.pgm t.pgm t.pgm t.pgm
 is "--take left" next_angle_deg -90 4
+[ "$(grep -o '"take":{[^}]*}' out | tr '\n' ' ')" = "$(for s in waiting waiting approaching approaching; do
+    printf '"take":{"turn":"left","state":"%s"} ' $s; done)" ]
+say $? "--take tells its state"
+works "--take, text" --junctions --take left t.pgm t.pgm t.pgm
+sed -n 3p out | grep -q '  take left: approaching'; say $? "and in the text"
 works "--take right" --junctions --take right --json t.pgm t.pgm t.pgm t.pgm
 near "--take right" next_angle_deg 90 1 4
 refuses "--take alone" 2 "only together with --junctions" --take left t.pgm

@@ -46,10 +46,10 @@ static iris_junction_latch any_latch(void)
     iris_junction_latch latch;
     (void)iris_junction_latch_init(&latch, (iris_size){draw_within(8, 200), draw_within(8, 200)});
     for (int32_t i = draw_within(0, IRIS_JUNCTION_TURNS_MAX); i > 0; i--) {
-        iris_turn turn = (iris_turn)draw_below(3);
+        iris_turn turn = (iris_turn)draw_below(5);
         (void)iris_junction_latch_take(&latch, &turn, 1);
     }
-    latch.state = (iris_latch_state)draw_below(3);
+    latch.state = (iris_latch_state)draw_below(5);
     latch.branch = (iris_angle)draw_within(-32768, 32767);
     latch.x = draw_within(0, latch.size.w - 1);
     latch.y = draw_within(0, latch.size.h - 1);

@@ -95,8 +95,82 @@ static void leads_into_the_branch(void **state)
             assert_int_equal(line.state, IRIS_LINE_FOUND);
             assert_int_equal(line.angle, degrees(angle * side));
         }
-        assert_int_equal(latch.state, IRIS_LATCH_WAITS);
+        assert_int_equal(latch.state, IRIS_LATCH_DONE);
+        assert_int_equal(latch.turn, side < 0 ? IRIS_TURN_LEFT : IRIS_TURN_RIGHT);
     }
+}
+
+/* A slow robot, whose branch is out of sight for two seconds: the line straight on, that leaves to the other side, is
+ * never taken for it. Then the branch comes in on the side of the turn. */
+static void refuses_the_old_line(void **state)
+{
+    (void)state;
+    for (int side = -1; side <= 1; side += 2) {
+        for (int rate = 25; rate <= 100; rate += 25) { /* degrees a second */
+            iris_junction_latch latch = latch_of(side < 0 ? IRIS_TURN_LEFT : IRIS_TURN_RIGHT);
+            come(&latch, 1, 1, 1);
+            iris_follow_result line = straight_line(), seen = line;
+            int32_t ms = 33;
+            for (; rate * ms < 50000; ms += 33) {
+                seen.angle = degrees(-rate * ms / 1000 * side);
+                seen.state =
+                    rate * ms / 1000 % 10 < 5 ? IRIS_LINE_FOUND : IRIS_LINE_LOST; /* it comes and goes */
+                line = update(&latch, seen, NULL);
+                assert_int_equal(line.state, IRIS_LINE_LOST);
+                assert_int_equal(latch.state, IRIS_LATCH_TURNS);
+            }
+            for (; rate * ms < 100000 && latch.state == IRIS_LATCH_TURNS; ms += 33) {
+                seen.state = IRIS_LINE_FOUND;
+                seen.angle = degrees((90 - rate * ms / 1000) * side);
+                line = update(&latch, seen, NULL);
+                assert_int_equal(line.state, IRIS_LINE_FOUND);
+                assert_int_equal(line.angle, seen.angle);
+            }
+            assert_int_equal(latch.state, IRIS_LATCH_DONE);
+        }
+    }
+}
+
+/* What still leads to the junction, and the other arm of a fork, are not the branch. */
+static void takes_the_arm_of_a_fork(void **state)
+{
+    (void)state;
+    iris_junction_latch latch = latch_of(IRIS_TURN_LEFT);
+    for (int32_t y = 20; latch.state != IRIS_LATCH_TURNS && y < H; y += 4) {
+        iris_junction j = junction_at(y, 1, 0, 1);
+        j.branches[1] = degrees(-42);
+        j.branches[2] = degrees(42);
+        update(&latch, straight_line(), &j);
+    }
+    assert_int_equal(latch.state, IRIS_LATCH_TURNS);
+    assert_int_equal(update(&latch, straight_line(), NULL).state, IRIS_LINE_LOST);
+    iris_follow_result seen = straight_line();
+    seen.angle = degrees(44);
+    assert_int_equal(update(&latch, seen, NULL).state, IRIS_LINE_LOST);
+    seen.angle = degrees(-38);
+    assert_int_equal(update(&latch, seen, NULL).state, IRIS_LINE_FOUND);
+}
+
+/* The follower was on another line: its offset becomes the latch's without a jump. */
+static void tells_no_jump(void **state)
+{
+    (void)state;
+    iris_junction_latch latch = latch_of(IRIS_TURN_LEFT);
+    iris_junction j = junction_at(60, 1, 1, 1);
+    iris_follow_result across = straight_line(), line = across;
+    across.offset_q16 = -131072;
+    across.lookahead_offset_q16 = 49152;
+    for (int frame = 0; frame < 40; frame++) {
+        iris_follow_result before = line;
+        line = update(&latch, across, &j);
+        if (frame < 3) {
+            assert_int_equal(line.offset_q16, across.offset_q16);
+        } else {
+            assert_true(line.offset_q16 >= before.offset_q16 && line.offset_q16 < before.offset_q16 + 32768);
+            assert_true(line.lookahead_offset_q16 <= before.lookahead_offset_q16);
+        }
+    }
+    assert_true(line.offset_q16 > -2000 && line.offset_q16 < 2000);
 }
 
 static void goes_straight_on(void **state)
@@ -164,8 +238,13 @@ static void gives_up_in_time(void **state)
     for (int frame = 0; frame < 125; frame++) {
         update(&latch, straight_line(), NULL);
     }
-    assert_int_equal(latch.state, IRIS_LATCH_WAITS);
+    assert_int_equal(latch.state, IRIS_LATCH_MISSED);
     assert_int_equal(latch.turn_count, 0);
+    iris_turn next = IRIS_TURN_LEFT; /* one more waits again */
+    assert_int_equal(iris_junction_latch_take(&latch, &next, 1), IRIS_OK);
+    update(&latch, straight_line(), NULL);
+    assert_int_equal(latch.state, IRIS_LATCH_WAITS);
+    assert_int_equal(latch.turn, IRIS_TURN_LEFT);
 }
 
 static void refuses(void **state)
@@ -197,6 +276,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(changes_nothing_without_a_turn),
         cmocka_unit_test(leads_into_the_branch),
+        cmocka_unit_test(refuses_the_old_line),
+        cmocka_unit_test(takes_the_arm_of_a_fork),
+        cmocka_unit_test(tells_no_jump),
         cmocka_unit_test(goes_straight_on),
         cmocka_unit_test(keeps_a_turn_that_is_not_offered),
         cmocka_unit_test(two_frames_are_no_junction),

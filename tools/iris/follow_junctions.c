@@ -14,6 +14,7 @@ static const iris_color MARK = {255, 140, 0};
 
 static const char *const type_names[] = {"end", "corner", "T", "Y", "crossing"};
 static const char *const turn_names[] = {"straight", "left", "right"};
+static const char *const latch_names[] = {"waiting", "approaching", "turning", "done", "missed"};
 
 /* Kept from frame to frame. */
 static picture_buffer gray, mask;
@@ -94,6 +95,8 @@ int follow_junctions_look(follow_junctions *junctions, iris_follow_result *line,
     }
     iris_junction_latch_update(line, &latch, junctions->found, junctions->count,
                                elapsed_ms < 0 ? 0 : elapsed_ms);
+    junctions->take = options->turn_count > 0 ? turn_names[latch.turn] : NULL;
+    junctions->take_state = latch_names[latch.state];
     return EXIT_DONE;
 }
 
@@ -132,6 +135,15 @@ void follow_junctions_json(json_writer *json, const follow_junctions *junctions,
         json_close(json, '}');
     }
     json_close(json, ']');
+    if (junctions->take) {
+        json_key(json, "take");
+        json_open(json, '{');
+        json_key(json, "turn");
+        json_string(json, junctions->take);
+        json_key(json, "state");
+        json_string(json, junctions->take_state);
+        json_close(json, '}');
+    }
 }
 
 void follow_junctions_print(const follow_junctions *junctions, const follow_floor *floor)
@@ -143,6 +155,9 @@ void follow_junctions_print(const follow_junctions *junctions, const follow_floo
             printf("%s%+.0f", k == 0 ? " " : "/", degrees(j->branches[k]));
         }
         follow_floor_print_junction(j, floor);
+    }
+    if (junctions->count >= 0 && junctions->take) {
+        printf("  take %s: %s", junctions->take, junctions->take_state);
     }
 }
 

@@ -17,7 +17,8 @@ typedef struct {
 /* What was found in a frame. */
 typedef struct {
     iris_junction found[IRIS_JUNCTIONS_MAX];
-    int32_t count; /* -1: not looked for */
+    int32_t count;                 /* -1: not looked for, and what follows is not there */
+    const char *take, *take_state; /* the turn of --take, or null; waiting, approaching, ... */
 } follow_junctions;
 
 /* Reads left|right|straight[,..]. Returns 0 after complaining. */

@@ -28,6 +28,18 @@ static const junction_kind kinds[] = {{"t", {0, 1, 1}, {0, 90, -90}},
                                       {"y", {0, 1, 1}, {0, 40, -40}},
                                       {"crossing", {1, 1, 1}, {0, 90, -90}}};
 
+/* Robots: where the camera is, and how they turn. */
+typedef struct {
+    const char *name;
+    double forward_cm;         /* of the lens in front of the axle */
+    double axle_cm, top_speed; /* between the wheels; cm/s */
+} robot_kind;
+
+static const robot_kind robots[] = {{"demo", 5, 15, 60},   /* 92 degrees a second in search of a line */
+                                    {"over", 0, 15, 60},   /* the camera is over the axle */
+                                    {"ahead", 12, 15, 60}, /* the camera is far ahead of it */
+                                    {"slow", 6, 20, 25}};  /* 29 degrees a second, on a circle of 10 cm */
+
 static void add_piece(sim_track *track, double x, double y, double heading, double length, double before)
 {
     sim_piece piece = {
@@ -111,37 +123,46 @@ static void drive(driver *d, sim_camera *camera, const sim_floor *floor, sim_rob
     }
 }
 
-int sim_branch_drive(const char *kind, const char *take, uint32_t seed)
+int sim_branch_drive(const char *kind, const char *take, const char *by, uint32_t seed)
 {
     static const char *const turns[] = {"straight", "left", "right"};
     static sim_track track;
     static sim_camera camera;
     static driver d;
     const junction_kind *is = NULL;
+    const robot_kind *driven = NULL;
     int turn = 0;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         is = strcmp(kinds[i].name, kind) == 0 ? &kinds[i] : is;
     }
+    for (size_t i = 0; i < sizeof robots / sizeof robots[0]; i++) {
+        driven = strcmp(robots[i].name, by) == 0 ? &robots[i] : driven;
+    }
     while (turn < 3 && strcmp(turns[turn], take) != 0) {
         turn++;
     }
-    if (!is || turn == 3 || !is->has[turn]) {
+    if (!is || !driven || turn == 3 || !is->has[turn]) {
         return -1;
     }
     sim_floor floor;
     sim_robot robot;
     lay(&track, is);
     sim_camera_init(&camera, seed);
+    camera.forward_cm = driven->forward_cm;
+    sim_camera_aim(&camera);
     if (!begin(&d, (iris_turn)turn) || !sim_floor_make(&floor, &track, seed)) {
         return 0;
     }
     sim_robot_init(&robot, sim_track_at(&track, 0));
+    robot.axle_cm = driven->axle_cm;
+    robot.top_speed = driven->top_speed;
     drive(&d, &camera, &floor, &robot);
     sim_floor_free(&floor);
     double arm = PI / 2 + is->degrees[turn] * PI / 180;
     double along = robot.pose.x * cos(arm) + robot.pose.y * sin(arm);
     double across = robot.pose.y * cos(arm) - robot.pose.x * sin(arm);
     int good = along > FAR - 10 && fabs(across) < robot.width_cm / 2;
-    printf("%s, told %s: %.0f cm along that branch, %.1f cm beside it\n", kind, take, along, across);
+    printf("%s, told %s, robot %s: %.0f cm along that branch, %.1f cm beside it\n", kind, take, by, along,
+           across);
     return good;
 }

@@ -24,6 +24,7 @@ static const char HELP[] =
     "  --floor       steer by millimeters, from eight marks on the floor as iris floor takes them\n"
     "  --junction J  drive over one junction instead: t, left, right, y, or crossing, as --take says\n"
     "  --take TURN   left, right, or straight: exit code 0 when the robot ends on that branch\n"
+    "  --robot R     over one junction: demo (default), over (camera over the axle), ahead, or slow\n"
     "  --frames DIR  no drive: write 120 camera frames along the course, and where the tape is in them\n"
     "\n"
     "example: iris-demo --laps 3 --seed 7 --out /tmp/drive\n";
@@ -31,7 +32,7 @@ static const char HELP[] =
 typedef struct {
     int laps, quick, blank, floor;
     uint32_t seed;
-    const char *out, *frames, *junction, *take;
+    const char *out, *frames, *junction, *take, *robot;
 } options;
 
 static int whole_number(long *number, const char *text, long low, long high)
@@ -70,6 +71,8 @@ static int read_options(options *o, int argc, char **argv)
             o->junction = argv[++i];
         } else if (strcmp(name, "--take") == 0 && *value) {
             o->take = argv[++i];
+        } else if (strcmp(name, "--robot") == 0 && *value) {
+            o->robot = argv[++i];
         } else if (strcmp(name, "--frames") == 0 && *value) {
             o->frames = argv[++i];
         } else {
@@ -177,10 +180,12 @@ int main(int argc, char **argv)
     if (code >= 0) {
         return code;
     }
-    if (o.junction || o.take) {
-        code = sim_branch_drive(o.junction ? o.junction : "", o.take ? o.take : "", o.seed);
+    if (o.junction || o.take || o.robot) {
+        code = sim_branch_drive(o.junction ? o.junction : "", o.take ? o.take : "",
+                                o.robot ? o.robot : "demo", o.seed);
         if (code < 0) {
-            fprintf(stderr, "iris-demo: --junction and --take: no such turn (--help tells more)\n");
+            fprintf(stderr,
+                    "iris-demo: --junction, --take, --robot: no such turn or robot (--help tells more)\n");
         }
         return code < 0 ? 2 : !code;
     }
