@@ -6,9 +6,9 @@
  * little, for steering answers to a jump. When the junction has passed below the image, every line but the branch is
  * hidden, so that the steering searches for it on its side. A line is the branch when its angle is nearer to that of
  * the branch, less what the robot has turned since, than to that of the line that goes on beside it; how far it has
- * turned is told by the junction and by either line while they are in sight, and by the time in between. When the branch
- * has been ahead, within 30 degrees, for three frames, or after four seconds, the latch lets go, and the next turn
- * counts. Between junctions, and without a turn to take, results stay as they are.
+ * turned is told by the junction and by either line while they are in sight, and by the time in between. When the
+ * branch has been ahead, within 30 degrees, for three frames, or after four seconds, the latch lets go, and the next
+ * turn counts. Between junctions, and without a turn to take, results stay as they are.
  *
  *     iris_follow_frame(&line, ...);  iris_line_mask(...);  iris_junctions_find(junctions, ...);
  *     iris_junction_latch_update(&line, &latch, junctions, count, elapsed_ms);
