@@ -8,8 +8,7 @@
 #define LEARN_LIGHT  (16 * 8) /* and so much change of Y, */
 #define LEARN_TINT   (16 * 4) /* or of U and V */
 #define LEARN_COST   700      /* of an object like it was expected */
-#define SAME_COST                                                                                            \
-    1024 /* of an object like the one that was lost: the size changed by half or to double, or so */
+#define SAME_COST    1024 /* of an object like the one that was lost: of half the size up to twice, or so */
 
 void iris_lock_defaults(iris_lock_config *config)
 {

@@ -3,28 +3,11 @@
 
 #include <math.h>
 
-#include "edge_picture.h"
+#include "edge_smooth.h"
 
 #define POINTS_MAX (SIDE_MAX * SIDE_MAX)
 
 static iris_edge_point points[POINTS_MAX + 1];
-static uint8_t smooth_bytes[POINTS_MAX];
-
-static iris_image smooth_of(const iris_image *src, iris_q16 sigma_q16, iris_border border)
-{
-    iris_image smooth;
-    assert_int_equal(iris_image_wrap(&smooth, smooth_bytes, sizeof smooth_bytes, (iris_size){src->w, src->h},
-                                     0, IRIS_GRAY8),
-                     IRIS_OK);
-    for (int32_t y = 0; y < src->h; y++) {
-        memcpy(iris_image_row(&smooth, y), iris_image_row(src, y), (size_t)src->w);
-    }
-    if (sigma_q16 > 0) {
-        iris_scratch scratch = arena(IRIS_BLUR_GAUSSIAN_SCRATCH_BYTES(src->w, 1, sigma_q16));
-        assert_int_equal(iris_blur_gaussian(&smooth, &smooth, sigma_q16, border, &scratch), IRIS_OK);
-    }
-    return smooth;
-}
 
 static void assert_direction(const iris_image *smooth, const iris_edge_point *point, iris_border border)
 {

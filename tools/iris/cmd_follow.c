@@ -10,7 +10,7 @@
 #include "follow_overlay.h"
 #include "follow_port.h"
 #include "follow_report.h"
-#include "frame_reader.h"
+#include "frame_sequence.h"
 #include "inputs.h"
 #include "iris/xt/follow.h"
 #include "iris/xt/steer.h"
@@ -126,8 +126,9 @@ static int look(follow_answer *answer, sequence *s, uint32_t now_ms)
 }
 
 /* Answers the frame in s->picture. Returns an exit code. */
-static int answer_frame(sequence *s, const char *file)
+static int answer_frame(void *context, const char *file)
 {
+    sequence *s = context;
     const follow_options *options = s->options;
     follow_answer answer = {
         .file = file, .frame = s->frame, .size = {s->picture.image.w, s->picture.image.h}};
@@ -152,28 +153,9 @@ static int answer_frame(sequence *s, const char *file)
     return options->overlay ? follow_overlay_write(options->overlay, &s->picture.image, &answer) : EXIT_DONE;
 }
 
-/* The first picture of a file; of standard input every one, until it ends. Returns an exit code. */
 static int follow_input(sequence *s, const char *file)
 {
-    static frame_reader reader;
-    int is_stdin = strcmp(file, "-") == 0, exit_code = EXIT_DONE, code = EXIT_DONE;
-    iris_status status = frame_reader_open(&reader, file);
-    do {
-        status = status == IRIS_OK ? frame_reader_next(&reader, &s->picture, IRIS_RGB888) : status;
-        if (status != IRIS_ERR_END) {
-            s->frame++;
-        }
-        if (status == IRIS_OK) {
-            code = answer_frame(s, file);
-            exit_code = code != EXIT_DONE ? code : exit_code;
-        }
-    } while (is_stdin && status == IRIS_OK && code == EXIT_DONE && !ferror(stdout));
-    frame_reader_close(&reader);
-    if (status != IRIS_OK && !(status == IRIS_ERR_END && reader.frames > 0)) {
-        complain(file, "%s", frame_reader_problem(&reader));
-        exit_code = EXIT_BAD_DATA;
-    }
-    return exit_code;
+    return frame_sequence_run(&(frame_sequence){&s->picture, &s->frame, answer_frame, s}, file);
 }
 
 static int follow_all(sequence *s, const input_list *inputs)

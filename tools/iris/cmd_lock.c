@@ -6,7 +6,7 @@
 #include "args.h"
 #include "commands.h"
 #include "complain.h"
-#include "frame_reader.h"
+#include "frame_sequence.h"
 #include "hsl_text.h"
 #include "inputs.h"
 #include "iris/xt/lock.h"
@@ -116,8 +116,9 @@ static int look(iris_lock_result *result, sequence *s, const char *file)
 }
 
 /* Answers the frame in s->picture. Returns an exit code. */
-static int answer_frame(sequence *s, const char *file)
+static int answer_frame(void *context, const char *file)
 {
+    sequence *s = context;
     iris_lock_result result;
     int exit_code = look(&result, s, file);
     if (exit_code != EXIT_DONE) {
@@ -131,26 +132,9 @@ static int answer_frame(sequence *s, const char *file)
                               &s->trail);
 }
 
-/* The first picture of a file; of standard input every one, until it ends. Returns an exit code. */
 static int follow_input(sequence *s, const char *file)
 {
-    static frame_reader reader;
-    int is_stdin = strcmp(file, "-") == 0, exit_code = EXIT_DONE, code = EXIT_DONE;
-    iris_status status = frame_reader_open(&reader, file);
-    do {
-        status = status == IRIS_OK ? frame_reader_next(&reader, &s->picture, IRIS_RGB888) : status;
-        s->frame += status != IRIS_ERR_END;
-        if (status == IRIS_OK) {
-            code = answer_frame(s, file);
-            exit_code = code != EXIT_DONE ? code : exit_code;
-        }
-    } while (is_stdin && status == IRIS_OK && code == EXIT_DONE && !ferror(stdout));
-    frame_reader_close(&reader);
-    if (status != IRIS_OK && !(status == IRIS_ERR_END && reader.frames > 0)) {
-        complain(file, "%s", frame_reader_problem(&reader));
-        exit_code = EXIT_BAD_DATA;
-    }
-    return exit_code;
+    return frame_sequence_run(&(frame_sequence){&s->picture, &s->frame, answer_frame, s}, file);
 }
 
 /* What is taught is in the first frame: without it there is nothing to follow. */
