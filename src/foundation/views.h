@@ -31,6 +31,13 @@ iris_status iris_views_check_levels(const iris_image *dst, const iris_image *src
 iris_status iris_views_check_formats(const iris_image *dst, iris_format to, const iris_image *src,
                                      iris_format from);
 
+/* One picture that is only read, of this format. */
+static inline iris_status iris_views_check_one(const iris_image *image, iris_format format)
+{
+    iris_status status = iris_image_check(image);
+    return status == IRIS_OK && image->format != format ? IRIS_ERR_FORMAT : status;
+}
+
 #define IRIS_BORDER_NONE ((iris_border){IRIS_BORDER_REPLICATE, 0})
 
 #endif

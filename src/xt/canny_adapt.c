@@ -1,6 +1,7 @@
 #include "iris/xt/canny_adapt.h"
 
 #include "../foundation/kernel.h"
+#include "../foundation/views.h"
 #include "edge_rows.h"
 #include "smooth_rows.h"
 
@@ -40,9 +41,9 @@ iris_status iris_canny_adapt(iris_canny_config *config, const iris_image *src, i
     if (sigma_q16 != 0 && (sigma_q16 < IRIS_BLUR_SIGMA_MIN || sigma_q16 > IRIS_BLUR_SIGMA_MAX)) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(src);
-    if (status != IRIS_OK || src->format != IRIS_GRAY8) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(src, IRIS_GRAY8);
+    if (status != IRIS_OK) {
+        return status;
     }
     int32_t count[LEVELS] = {0};
     iris_smooth_rows smooth;

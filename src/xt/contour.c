@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../foundation/views.h"
 #include "contour_steps.h"
 #include "mask_bits.h"
 
@@ -246,8 +247,7 @@ static void nest(const search *s)
 
 static iris_status check(const iris_image *mask)
 {
-    iris_status status = iris_image_check(mask);
-    return status == IRIS_OK && mask->format != IRIS_MASK1 ? IRIS_ERR_FORMAT : status;
+    return iris_views_check_one(mask, IRIS_MASK1);
 }
 
 iris_status iris_contour_find(iris_contour *contours, int32_t capacity, int32_t *count,

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../foundation/views.h"
 #include "mask_runs.h"
 #include "smooth_rows.h"
 
@@ -83,9 +84,9 @@ iris_status iris_edge_points(iris_edge_point *points, int32_t capacity, int32_t 
     if (!count || capacity < 0 || (!points && capacity > 0) || !src || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(src);
-    if (status != IRIS_OK || src->format != IRIS_GRAY8) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(src, IRIS_GRAY8);
+    if (status != IRIS_OK) {
+        return status;
     }
     iris_canny_defaults(&settings);
     settings = config ? *config : settings;

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../foundation/views.h"
 #include "hough_parts.h"
 #include "mask_runs.h"
 
@@ -277,9 +278,9 @@ iris_status iris_hough_vote_mask(iris_hough *hough, const iris_image *mask)
     if (!hough || !hough->votes || !mask) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(mask, IRIS_MASK1);
+    if (status != IRIS_OK) {
+        return status;
     }
     if (mask->w != hough->size.w || mask->h != hough->size.h) {
         return IRIS_ERR_RANGE;
@@ -353,9 +354,9 @@ iris_status iris_hough_lines(iris_hough_line *lines, int32_t capacity, int32_t *
     if (!count || capacity < 0 || (!lines && capacity > 0) || !mask) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(mask, IRIS_MASK1);
+    if (status != IRIS_OK) {
+        return status;
     }
     iris_hough hough;
     size_t start = iris_scratch_mark(scratch);

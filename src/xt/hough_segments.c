@@ -1,5 +1,6 @@
 #include "iris/xt/hough_segments.h"
 
+#include "../foundation/views.h"
 #include "hough_parts.h"
 #include "iris/xt/regress.h"
 #include "mask_runs.h"
@@ -251,9 +252,9 @@ iris_status iris_hough_segment_of_mask(iris_hough_segment *segment, const iris_i
     if (!segment || !mask || !line || !scratch || check_config(&in.config) != IRIS_OK) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(mask, IRIS_MASK1);
+    if (status != IRIS_OK) {
+        return status;
     }
     in.size = (iris_size){mask->w, mask->h};
     return take_with(segment, &in, line, scratch);

@@ -1,5 +1,6 @@
 #include "iris/xt/junction.h"
 
+#include "../foundation/views.h"
 #include "junction_parts.h"
 
 enum { CLOSEST = 4551 }; /* 25 degrees: arms of a corner or a Y are farther apart than that */
@@ -242,9 +243,9 @@ iris_status iris_junctions_find(iris_junction *junctions, int32_t capacity, int3
     if ((!junctions && capacity != 0) || capacity < 0 || !count || !scratch || !is_valid(&used)) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(mask, IRIS_MASK1);
+    if (status != IRIS_OK) {
+        return status;
     }
     iris_graph graph;
     size_t mark = iris_scratch_mark(scratch);

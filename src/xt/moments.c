@@ -31,9 +31,9 @@ iris_status iris_mask_moments_sum(iris_mask_moments *moments, const iris_image *
     if (!moments || !mask) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(mask, IRIS_MASK1);
+    if (status != IRIS_OK) {
+        return status;
     }
     if (mask->w > IRIS_MOMENTS_SIDE_MAX || mask->h > IRIS_MOMENTS_SIDE_MAX) {
         return IRIS_ERR_RANGE;

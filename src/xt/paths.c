@@ -1,5 +1,6 @@
 #include "iris/xt/paths.h"
 
+#include "../foundation/views.h"
 #include "junction_parts.h"
 #include "paths_list.h"
 
@@ -168,9 +169,9 @@ iris_status iris_paths_find(iris_path *paths, int32_t capacity, int32_t *count, 
     if ((!paths && capacity != 0) || capacity < 0 || !count || !scratch || !iris_paths_are_valid(&used)) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    if (status != IRIS_OK || mask->format != IRIS_MASK1) {
-        return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+    iris_status status = iris_views_check_one(mask, IRIS_MASK1);
+    if (status != IRIS_OK) {
+        return status;
     }
     iris_graph graph;
     lines l = {.graph = &graph};

@@ -1,3 +1,4 @@
+#include "../foundation/views.h"
 #include "contour_steps.h"
 #include "iris/xt/shape.h"
 #include "mask_runs.h"
@@ -82,8 +83,7 @@ static iris_status check(const iris_image *mask, const iris_shape_sampling *c)
         (c->has_point != 0 && c->has_point != 1)) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(mask);
-    return status == IRIS_OK && mask->format != IRIS_MASK1 ? IRIS_ERR_FORMAT : status;
+    return iris_views_check_one(mask, IRIS_MASK1);
 }
 
 /* Distances with so many fraction bits that the picture's width and height together fit in 16 bits. */
