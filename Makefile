@@ -1,5 +1,5 @@
 # IRIS - `make help` explains every target.
-# Set on the command line: PORT=generic|sse|neon  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
+# Set on the command line: PORT=generic|sse|avx2|neon  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
 #                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder  V=1 (whole commands)
 
 CC      := $(if $(filter default,$(origin CC)),$(CROSS_COMPILE)gcc,$(CC))
@@ -15,12 +15,19 @@ ARCH    ?=
 
 # The best port of the compiler's target; a native x86 build also asks this processor.
 ifeq ($(origin PORT),undefined)
-  ifneq ($(filter aarch64%,$(TARGET)),)
+  MACROS   := $(shell $(CC) $(ARCH) $(CFLAGS) -dM -E -x c /dev/null)
+  promises  = $(filter $(1),$(MACROS))
+  cpu_lacks = $(shell for f in $(1); do grep -qw $$f /proc/cpuinfo 2> /dev/null || echo $$f; done)
+  ifneq ($(findstring none-eabi,$(TARGET)),)
+    PORT := $(if $(call promises,__ARM_FEATURE_MVE),helium,$(if $(call promises,__ARM_FEATURE_DSP),cortexm,generic))
+  else ifneq ($(call promises,__ARM_NEON),)
     PORT := neon
-  else ifneq ($(filter x86_64%,$(TARGET)),)
-    PORT := $(shell if [ -r /proc/cpuinfo ] && ! grep -qw sse4_2 /proc/cpuinfo; then echo generic; else echo sse; fi)
-  else
+  else ifeq ($(findstring x86_64,$(TARGET)),)
     PORT := generic
+  else ifneq ($(CROSS_COMPILE),)
+    PORT := $(if $(call promises,__AVX2__),avx2,$(if $(call promises,__SSE4_1__),sse,generic))
+  else
+    PORT := $(if $(call cpu_lacks,ssse3 sse4_1 sse4_2),generic,$(if $(call cpu_lacks,avx2 bmi2 movbe abm),sse,avx2))
   endif
   ifeq ($(wildcard port/cpu/$(PORT)/iris_port.h),)
     PORT := generic
@@ -30,9 +37,11 @@ endif
 ifeq ($(wildcard port/cpu/$(PORT)/iris_port.h),)
   $(error PORT=$(PORT) is unknown, there are: $(notdir $(patsubst %/,%,$(dir $(wildcard port/cpu/*/iris_port.h)))))
 endif
-ifeq ($(PORT)-$(findstring x86_64,$(TARGET)),neon-x86_64)
-  $(error PORT=neon needs a compiler for ARM, such as CROSS_COMPILE=aarch64-linux-gnu-)
+ifneq ($(filter neon-x86_64% cortexm-x86_64% helium-x86_64%,$(PORT)-$(TARGET)),)
+  $(error PORT=$(PORT) needs a compiler for ARM, such as CROSS_COMPILE=aarch64-linux-gnu-)
 endif
+# A port may build on another one, whose iris_port.h it includes.
+PORTS_USED := $(PORT) $(shell sed -n 's|^.include "../\([a-z0-9]*\)/iris_port.h"|\1|p' port/cpu/$(PORT)/iris_port.h)
 ifneq ($(PROFILE),full)
   $(error PROFILE=$(PROFILE) is unknown, there is: full)
 endif
@@ -44,7 +53,10 @@ WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-l
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE
 INTEGER  := -mgeneral-regs-only
-PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
+PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3)$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
+# The plain bodies of row kernels, too, are made with all that a port with vectors may use: what the compiler does well
+# needs no code of ours. PORT=generic holds the same sources to integer registers.
+KERNELISA := $(if $(filter sse avx2 neon helium,$(PORT)),$(if $(filter -O2,$(OPT)),-O3) $(PORTISA),$(INTEGER))
 SANITIZE := $(if $(CHECKED),-fsanitize=$(if $(FUZZER),fuzzer-no-link$(comma))address$(comma)undefined \
               -fno-sanitize-recover=all -fno-omit-frame-pointer -g -DIRIS_CHECKED)
 CFLAGS   ?=
@@ -57,13 +69,13 @@ SAY = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '  $@')
 Q   = $(if $(V),,@)
 
 # One build folder per port, OS, profile, compiler and flags.
-FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) $(INTEGER) $(PORTISA) $(LDFLAGS) $(SYSROOT)
+FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) $(INTEGER) $(PORTISA) $(KERNELISA) $(LDFLAGS) $(SYSROOT)
 KEY   := $(shell printf '%s' "$(FLAGS)" | cksum | cut -d' ' -f1)
 OUT   := $(BUILD)/$(PORT)-$(OS)-$(PROFILE)-$(TARGET)-$(KEY)
 HOST  := $(if $(CROSS_COMPILE),,yes)
 
 CORE_SRC := $(wildcard src/foundation/*.c src/xt/*.c)
-PORT_SRC := $(wildcard port/cpu/$(PORT)/*.c)
+PORT_SRC := $(wildcard $(PORTS_USED:%=port/cpu/%/*.c))
 OS_SRC   := $(wildcard port/os/$(OS)/*.c)
 TOOL_SRC := $(wildcard tools/iris/*.c)
 
@@ -114,6 +126,8 @@ $(OUT)/src/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY)
 	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) -fstack-usage -c -o $@ $<
+
+$(OUT)/src/foundation/kernel%.o: INTEGER := $(KERNELISA)
 
 $(OUT)/port/cpu/%.o: port/cpu/%.c
 	@mkdir -p $(@D)

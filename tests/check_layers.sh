@@ -39,6 +39,7 @@ found=$(awk '
         if (exists("src/foundation/" name)) return "src/foundation/" name
         if (exists("tests/" name)) return "tests/" name
         if (exists("tests/target/" name)) return "tests/target/" name
+        if (exists("tools/bench/" name)) return "tools/bench/" name
         return ""
     }
     FNR == 1 { from = layer_of(FILENAME); folder = FILENAME; sub(/[^\/]*$/, "", folder) }
@@ -48,6 +49,7 @@ found=$(awk '
         if (path == "") { if (name != "unity.h") print FILENAME ": " name " is not found"; next }
         to = layer_of(path)
         if (FILENAME ~ /^tests\/(check_kernels\.c$|kernels\/)/ && (to == "kernel" || to == "port")) next
+        if (FILENAME == "tests/kernels/gain.c" && path == "tools/bench/markers.h") next
         if (!((from, to) in arrow)) print FILENAME " (" from ") includes " path " (" to ")"
         if (from == "user" && to == "user" && substr(FILENAME, 1, 5) != substr(path, 1, 5))
             print FILENAME " includes " path

@@ -114,7 +114,7 @@ static void shared_pictures_are_read(void **state)
     (void)state;
     static const char *names[] = {"hough/coins.pgm", "calib/zhang/CalibIm1.pgm", "bmp/ref/pal8.ppm"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        size_t bytes;
+        size_t bytes = 0;
         picture reference = load_pnm(data_path(names[i]));
         uint8_t *file = load_file(data_path(names[i]), &bytes);
         if (!reference.pixels || !file) {

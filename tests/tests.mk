@@ -21,7 +21,7 @@ UNIT_BIN := $(UNIT_SRC:tests/%.c=$(OUT)/tests/%)
 KERNELINC := -Isrc/foundation -Iport/cpu/$(PORT)
 TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels,$@),$(KERNELINC))
 CMOCKAINC := $(if $(SYSROOT),-isystem $(SYSROOT)/usr/include)
-CMOCKA   := $(CMOCKAINC) $(if $(SYSROOT),-L$(SYSROOT)/usr/lib/aarch64-linux-gnu) -lcmocka
+CMOCKA   := $(CMOCKAINC) $(if $(SYSROOT),-L$(SYSROOT)/usr/lib/$(CROSS_COMPILE:%-=%)) -lcmocka
 
 $(OUT)/tests/%: tests/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
@@ -37,9 +37,15 @@ CALLS_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/calls/*.c))
 $(CALLS_OBJ): TARGETINC := -Itests $(CMOCKAINC)
 $(OUT)/tests/random_calls: $(CALLS_OBJ)
 
-KERNEL_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/kernels/*.c))
-$(KERNEL_OBJ): TARGETINC := -Itests $(KERNELINC) $(CMOCKAINC)
+KERNEL_OBJ := $(patsubst %.c,$(OUT)/%.o,$(filter-out %/gain.c,$(wildcard tests/kernels/*.c)))
+$(KERNEL_OBJ) $(OUT)/tests/kernels/gain.o: TARGETINC := -Itests $(KERNELINC) $(CMOCKAINC)
 $(OUT)/tests/check_kernels: $(KERNEL_OBJ)
+$(OUT)/tests/kernels/gain.o: TARGETINC += -Itools/bench $(POSIX)
+
+# What the port's kernels are worth beside the plain bodies as the compiler makes them.
+$(OUT)/kernel_gain: $(OUT)/tests/kernels/gain.o $(KERNEL_OBJ) $(LIB)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $^ $(LDFLAGS) $(CMOCKA) -lm
 
 DIGEST_OBJ  := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/digest/*.c))
 DIGEST_HOST := $(OUT)/tests/digest/host.o
@@ -141,10 +147,12 @@ TAP      := $(BUILD)/tap
 JOBS      = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
 CACHE    := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/iris
 A64_ROOT := $(CACHE)/arm64
+A32_ROOT := $(CACHE)/armhf
 NATIVE   := $(MAKE) -s CHECKED= CROSS_COMPILE=
-A64      := $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-linux-gnu- SYSROOT=$(A64_ROOT) OS=linux \
-            PORT=$(if $(wildcard port/cpu/neon/iris_port.h),neon,generic) \
+A64      := $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-linux-gnu- SYSROOT=$(A64_ROOT) OS=linux PORT=neon \
             RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH=$(A64_ROOT)/usr/lib/aarch64-linux-gnu"
+A32      := $(MAKE) -s CHECKED= CC=arm-linux-gnueabihf-gcc CROSS_COMPILE=arm-linux-gnueabihf- SYSROOT=$(A32_ROOT) OS=linux PORT=neon \
+            RUNNER="qemu-arm -L /usr/arm-linux-gnueabihf -E LD_LIBRARY_PATH=$(A32_ROOT)/usr/lib/arm-linux-gnueabihf"
 # Firmware is small: optimized as a whole, without what moves and copies code for speed. Fat objects serve all other tools.
 CORTEX   := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none PORT=generic \
             OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
@@ -160,11 +168,15 @@ layer-$(1): $(2)
 	+@tests/layer $(TAP)/$(1).tap "$(3)" $(4)
 .PHONY: layer-$(1)
 endef
-PORTS := generic $(filter-out generic,$(PORT))
+# The ports of this machine's kind; those it does not run itself are run by an emulator of the best processor.
+PORTS    := generic $(if $(findstring x86_64,$(TARGET)),sse avx2,$(filter-out generic,$(PORT)))
+EMULATED := $(if $(findstring x86_64,$(TARGET)),$(filter-out generic sse $(PORT),$(PORTS)))
+native    = $(NATIVE) PORT=$(1) $(if $(filter $(1),$(EMULATED)),RUNNER="qemu-x86_64 -cpu max")
 $(eval $(call layer,house,,,$(NATIVE) verify-house))
-$(foreach p,$(PORTS),$(eval $(call layer,$(p),,$(CMOCKA_H),$(NATIVE) PORT=$(p) verify-host)))
-$(foreach p,$(PORTS),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHECKED=1 PORT=$(p) verify-host)))
+$(foreach p,$(PORTS),$(eval $(call layer,$(p),,$(CMOCKA_H) $(if $(filter $(p),$(EMULATED)),qemu-x86_64),$(call native,$(p)) verify-host)))
+$(foreach p,$(filter-out $(EMULATED),$(PORTS)),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHECKED=1 PORT=$(p) verify-host)))
 $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/include/cmocka.h,$(A64) verify-host))
+$(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))
 $(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))

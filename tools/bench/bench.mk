@@ -48,6 +48,22 @@ bench: $(COUNTER) ## instructions per pixel on every port that runs here (exact)
 	@echo 'Compiled with $(OPT). Instructions: frames of 160x120; ns: nanoseconds on this machine, frames of 640x480.'
 	@tools/bench/table $(RESULTS)/*
 
+# A line per kernel: instructions per pixel (nanoseconds, on this machine) of the compiler's code and of ours, and the ratio.
+GAIN = awk '{ plain[$$3] += $$1; port[$$3] += $$2; n[$$3]++ } END { for (k in n) { r = plain[k] / port[k]; \
+        printf "%-32s %8.3f %8.3f %6.2fx%s\n", k, plain[k] / n[k], port[k] / n[k], r, r < 1.3 ? "  earns too little" : "" } }' | sort
+gain-time: $(OUT)/kernel_gain
+	@$(RUNNER) $< --time | $(GAIN)
+gain-count: $(COUNTER) $(OUT)/kernel_gain
+	@$(firstword $(RUNNER)) -plugin $(COUNTER),out=$(OUT)/counts $(wordlist 2,99,$(RUNNER)) $(OUT)/kernel_gain > $(OUT)/cases
+	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk 'NR % 2 { plain = $$1; next } { print plain / 640, $$1 / 640, $$2 }' | $(GAIN)
+gain: ## what every kernel of a port is worth beside the compiler's code for its plain body
+	@echo 'x86-64, $(PORT): nanoseconds per pixel'
+	+@$(NATIVE) PORT=$(PORT) gain-time
+	@echo 'AArch64, neon: instructions per pixel'
+	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) gain-count)
+	@echo 'ARMv7-A, neon: instructions per pixel'
+	+@$(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(A32) gain-count)
+
 size: ## bytes of flash and RAM on a Cortex-M0 at -Os: every file of the library, and the firmware follower
 	+@$(M0) weigh
 weigh: $(LIB) $(OUT)/firmware.elf
@@ -55,4 +71,4 @@ weigh: $(LIB) $(OUT)/firmware.elf
 	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
 	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
 	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
-.PHONY: size weigh bench count-target count-user time-host
+.PHONY: size weigh gain gain-time gain-count bench count-target count-user time-host

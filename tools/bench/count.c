@@ -1,21 +1,11 @@
 /* Runs every case once between two marker instructions (icnt.c) and prints `pixels name`, ordered by the counts. */
 #include "bench.h"
+#include "markers.h"
 
 #define W 160
 #define H 120
 
 static IRIS_SCRATCH_BUFFER(memory, 3u << 19); /* firmware, which the boards of 4 MB have room for */
-
-#if defined(__aarch64__)
-#define START() __asm__ volatile("mov x27, x27" ::: "memory")
-#define STOP()  __asm__ volatile("mov x28, x28" ::: "memory")
-#elif defined(__arm__)
-#define START() __asm__ volatile("mov r10, r10" ::: "memory")
-#define STOP()  __asm__ volatile("mov r11, r11" ::: "memory")
-#else
-#define START() __asm__ volatile("xchg %%bx, %%bx" ::: "memory")
-#define STOP()  __asm__ volatile("xchg %%cx, %%cx" ::: "memory")
-#endif
 
 static void print_number(int32_t number)
 {
