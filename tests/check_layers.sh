@@ -1,6 +1,7 @@
 #!/bin/sh
 # check_layers.sh : who includes whom. Every #include "..." is resolved to a file, every file has a layer, and only the
-# arrows below are allowed; src/, include/ and port/cpu take a few standard headers and no other. Prints TAP.
+# arrows below are allowed; src/, include/ and port/cpu take a few standard headers and no other. A port overrides what
+# kernel.h declares: a misspelt name compiles, and is never called. Prints TAP.
 files=$(find include src port tools examples tests -name '*.[ch]' 2>/dev/null | sort)
 found=$(awk '
     function allow(layer, list,   n, parts, i) { n = split(list, parts, " "); for (i = 1; i <= n; i++) arrow[layer, parts[i]] = 1 }
@@ -68,4 +69,13 @@ if [ -z "$found" ]; then
 else
     echo "not ok - include layering"
     echo "$found" | sed 's/^/# /'
+fi
+
+unknown=$(sed -nE 's/^# *(define|undef) +(iris_row_[a-z0-9_]+)( .*)?$/\2/p' port/cpu/*/iris_port.h | sort -u |
+    while read -r name; do grep -q "^#ifndef $name\$" src/foundation/kernel.h || echo "$name"; done)
+if [ -z "$unknown" ]; then
+    echo "ok - ports override kernels of kernel.h"
+else
+    echo "not ok - ports override kernels of kernel.h"
+    echo "$unknown" | sed 's/^/# /'
 fi

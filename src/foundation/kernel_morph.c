@@ -60,7 +60,8 @@ void iris_row_min9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step
 void iris_row_minus_u8_c(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
 {
     for (int32_t i = 0; i < n; i++) {
-        dst[i] = (uint8_t)(a[i] > b[i] ? a[i] - b[i] : 0);
+        uint8_t most = a[i] > b[i] ? a[i] : b[i]; /* which compilers know how to do with vectors */
+        dst[i] = (uint8_t)(most - b[i]);
     }
 }
 

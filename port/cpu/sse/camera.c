@@ -66,22 +66,6 @@ void iris_row_rgb888_nv12_sse(uint8_t *dst, const uint8_t *luma, const uint8_t *
     iris_row_rgb888_nv12_c(dst, luma, chroma, n);
 }
 
-/* n >= 16. The last 16 may overlap those before them: dst and src are disjoint. */
-void iris_row_every_second_u8_sse(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n)
-{
-    const __m128i low = _mm_set1_epi16(0xFF), shift = _mm_cvtsi32_si128(8 * which);
-    if (n < 16) {
-        iris_row_every_second_u8_c(dst, src, which, n);
-        return;
-    }
-    for (int32_t x = 0; x < n; x += 16) {
-        x = x > n - 16 ? n - 16 : x;
-        __m128i a = _mm_and_si128(_mm_srl_epi16(load16(src + 2 * x), shift), low);
-        __m128i b = _mm_and_si128(_mm_srl_epi16(load16(src + 2 * x + 16), shift), low);
-        store16(dst + x, _mm_packus_epi16(a, b));
-    }
-}
-
 /* ---- Bayer ---- */
 
 /* The means of four in the odd bytes; the even ones are 0. */

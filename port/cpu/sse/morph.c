@@ -1,5 +1,4 @@
-/* The largest, the smallest, and differences, sixteen samples at a time; joined masks, four words at a time. The last
- * vector is looked at first: where a row is changed in place, it cannot be looked at again. */
+/* The largest and the smallest around, sixteen samples at a time; joined masks, four words at a time. */
 #include "vector.h"
 
 static inline __m128i max3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
@@ -10,45 +9,6 @@ static inline __m128i max3_at(const uint8_t *a, const uint8_t *b, const uint8_t 
 static inline __m128i min3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
 {
     return _mm_min_epu8(_mm_min_epu8(load16(a + i), load16(b + i)), load16(c + i));
-}
-
-void iris_row_max3_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
-{
-    if (n < 16) {
-        iris_row_max3_u8_c(dst, a, b, c, n);
-        return;
-    }
-    __m128i last = max3_at(a, b, c, n - 16);
-    for (int32_t i = 0; i < n - 16; i += 16) {
-        store16(dst + i, max3_at(a, b, c, i));
-    }
-    store16(dst + n - 16, last);
-}
-
-void iris_row_min3_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
-{
-    if (n < 16) {
-        iris_row_min3_u8_c(dst, a, b, c, n);
-        return;
-    }
-    __m128i last = min3_at(a, b, c, n - 16);
-    for (int32_t i = 0; i < n - 16; i += 16) {
-        store16(dst + i, min3_at(a, b, c, i));
-    }
-    store16(dst + n - 16, last);
-}
-
-void iris_row_minus_u8_sse(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
-{
-    if (n < 16) {
-        iris_row_minus_u8_c(dst, a, b, n);
-        return;
-    }
-    __m128i last = _mm_subs_epu8(load16(a + n - 16), load16(b + n - 16));
-    for (int32_t i = 0; i < n - 16; i += 16) {
-        store16(dst + i, _mm_subs_epu8(load16(a + i), load16(b + i)));
-    }
-    store16(dst + n - 16, last);
 }
 
 /* Sixteen from `step` before here on, and from `step` behind; step is a constant. */
@@ -129,83 +89,15 @@ void iris_row_min9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t st
     store16(dst + n - 16, min9_at(rows, step, n - 16));
 }
 
-/* Four words of pixels from pixel `shift` of the first on. */
-static inline __m128i pixels_of(const uint32_t *words, __m128i shift)
-{
-    __m128i rest = _mm_sub_epi64(_mm_cvtsi32_si128(32), shift);
-    return _mm_or_si128(_mm_srl_epi32(load16(words), shift), _mm_sll_epi32(load16(words + 1), rest));
-}
-
 /* `all` is a constant in the following functions, so that each is compiled for both. */
 static inline __m128i join3(__m128i a, __m128i b, __m128i c, uint32_t all)
 {
     return all ? _mm_and_si128(_mm_and_si128(a, b), c) : _mm_or_si128(_mm_or_si128(a, b), c);
 }
 
-/* Four words of pixels at three places, joined. */
-typedef struct {
-    const uint32_t *a, *b, *c;
-    __m128i shift_a, shift_b, shift_c;
-} places;
-
-static inline __m128i joined3_at(const places *p, uint32_t all, int32_t i)
-{
-    return join3(pixels_of(p->a + i, p->shift_a), pixels_of(p->b + i, p->shift_b),
-                 pixels_of(p->c + i, p->shift_c), all);
-}
-
-static inline void join_places(uint32_t *dst, const places *p, uint32_t all, int32_t words)
-{
-    __m128i last = joined3_at(p, all, words - 4);
-    for (int32_t i = 0; i < words - 4; i += 4) {
-        store16(dst + i, joined3_at(p, all, i));
-    }
-    store16(dst + words - 4, last);
-}
-
-void iris_row_join3_mask_sse(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
-                             int32_t words)
-{
-    const places p = {src + (at[0] >> 5),
-                      src + (at[1] >> 5),
-                      src + (at[2] >> 5),
-                      _mm_cvtsi32_si128(at[0] & 31),
-                      _mm_cvtsi32_si128(at[1] & 31),
-                      _mm_cvtsi32_si128(at[2] & 31)};
-    if (words < 4) {
-        iris_row_join3_mask_c(dst, src, at, all, words);
-    } else if (all) {
-        join_places(dst, &p, ~0u, words);
-    } else {
-        join_places(dst, &p, 0, words);
-    }
-}
-
 static inline __m128i joined_at(const uint32_t *const rows[3], uint32_t all, int32_t i)
 {
     return join3(load16(rows[0] + i), load16(rows[1] + i), load16(rows[2] + i), all);
-}
-
-static inline void join_rows(uint32_t *dst, const uint32_t *const rows[3], uint32_t all, int32_t words)
-{
-    __m128i last = joined_at(rows, all, words - 4);
-    for (int32_t i = 0; i < words - 4; i += 4) {
-        store16(dst + i, joined_at(rows, all, i));
-    }
-    store16(dst + words - 4, last);
-}
-
-void iris_row_join_rows_mask_sse(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
-                                 uint32_t all, int32_t words)
-{
-    const uint32_t *const rows[3] = {a, b, c};
-    if (words < 4) {
-        iris_row_join_rows_mask_c(dst, a, b, c, all, words);
-    } else if (all) {
-        join_rows(dst, rows, ~0u, words);
-    } else {
-        join_rows(dst, rows, 0, words);
-    }
 }
 
 /* Each pixel with its neighbors; left and right: the words before and behind. */
@@ -249,16 +141,4 @@ void iris_row_join9_mask_sse(uint32_t *dst, const uint32_t *const rows[3], const
     } else {
         join9(dst, rows, beside, 0, words);
     }
-}
-
-void iris_row_agree_mask_sse(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words)
-{
-    const uint32_t *from = src + (at >> 5);
-    __m128i turned = _mm_set1_epi32((int)turn);
-    __m128i shift = _mm_cvtsi32_si128(at & 31);
-    int32_t i = 0;
-    for (; i < words - 3; i += 4) {
-        store16(dst + i, _mm_and_si128(load16(dst + i), _mm_xor_si128(pixels_of(from + i, shift), turned)));
-    }
-    iris_row_agree_mask_c(dst + i, src + i, at, turn, words - i);
 }

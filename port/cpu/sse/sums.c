@@ -1,34 +1,6 @@
 /* Sums of rows, down and across. */
 #include "vector.h"
 
-static inline __m128i binomial_of_8(__m128i a, __m128i b, __m128i c, __m128i d, __m128i e)
-{
-    __m128i outer = _mm_add_epi16(_mm_add_epi16(a, e), _mm_slli_epi16(c, 1));
-    __m128i inner = _mm_add_epi16(_mm_add_epi16(b, d), c);
-    return _mm_add_epi16(outer, _mm_slli_epi16(inner, 2));
-}
-
-/* n >= 16. The last 16 may overlap those before them: sums and rows are disjoint. */
-void iris_row_binomial5_u8_sse(uint16_t *sums, const uint8_t *const rows[5], int32_t n)
-{
-    const __m128i zero = _mm_setzero_si128();
-    if (n < 16) {
-        iris_row_binomial5_u8_c(sums, rows, n);
-        return;
-    }
-    for (int32_t x = 0; x < n; x += 16) {
-        x = x > n - 16 ? n - 16 : x;
-        __m128i a = load16(rows[0] + x), b = load16(rows[1] + x), c = load16(rows[2] + x);
-        __m128i d = load16(rows[3] + x), e = load16(rows[4] + x);
-        store16(sums + x, binomial_of_8(_mm_unpacklo_epi8(a, zero), _mm_unpacklo_epi8(b, zero),
-                                        _mm_unpacklo_epi8(c, zero), _mm_unpacklo_epi8(d, zero),
-                                        _mm_unpacklo_epi8(e, zero)));
-        store16(sums + x + 8, binomial_of_8(_mm_unpackhi_epi8(a, zero), _mm_unpackhi_epi8(b, zero),
-                                            _mm_unpackhi_epi8(c, zero), _mm_unpackhi_epi8(d, zero),
-                                            _mm_unpackhi_epi8(e, zero)));
-    }
-}
-
 /* Four results in 32 bits; nothing is read past what they need. */
 static inline __m128i halved_4(const uint16_t *sums)
 {
