@@ -1,5 +1,6 @@
 # IRIS - `make help` explains every target.
 # Set on the command line: PORT=generic|sse|avx2|neon  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
+#                          PROFILE=lite (what microcontrollers need, src/lite.mk)
 #                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder  V=1 (whole commands)
 
 CC      := $(if $(filter default,$(origin CC)),$(CROSS_COMPILE)gcc,$(CC))
@@ -42,8 +43,8 @@ ifneq ($(filter neon-x86_64% cortexm-x86_64% helium-x86_64%,$(PORT)-$(TARGET)),)
 endif
 # A port may build on another one, whose iris_port.h it includes.
 PORTS_USED := $(PORT) $(shell sed -n 's|^.include "../\([a-z0-9]*\)/iris_port.h"|\1|p' port/cpu/$(PORT)/iris_port.h)
-ifneq ($(PROFILE),full)
-  $(error PROFILE=$(PROFILE) is unknown, there is: full)
+ifeq ($(filter full lite,$(PROFILE)),)
+  $(error PROFILE=$(PROFILE) is unknown, there are: full lite)
 endif
 
 # The library is integers only, and -mgeneral-regs-only holds it to that. Tools, examples and tests see include/ only
@@ -74,10 +75,11 @@ KEY   := $(shell printf '%s' "$(FLAGS)" | cksum | cut -d' ' -f1)
 OUT   := $(BUILD)/$(PORT)-$(OS)-$(PROFILE)-$(TARGET)-$(KEY)
 HOST  := $(if $(CROSS_COMPILE),,yes)
 
-CORE_SRC := $(wildcard src/foundation/*.c src/xt/*.c)
+include src/lite.mk
+CORE_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_SRC),$(wildcard src/foundation/*.c src/xt/*.c))
 PORT_SRC := $(wildcard $(PORTS_USED:%=port/cpu/%/*.c))
 OS_SRC   := $(wildcard port/os/$(OS)/*.c)
-TOOL_SRC := $(wildcard tools/iris/*.c)
+TOOL_SRC := $(if $(filter lite,$(PROFILE)),,$(wildcard tools/iris/*.c))
 
 CORE_OBJ := $(CORE_SRC:%.c=$(OUT)/%.o)
 PORT_OBJ := $(PORT_SRC:%.c=$(OUT)/%.o)
@@ -98,7 +100,7 @@ lib: $(LIB) $(OSLIB)
 
 help: ## prints this text
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  \1\t\2/' | expand -t 16
-	@sed -n 's/^# \(Set on.*\)/\n\1/p; s/^#  *\(CHECKED.*\)/                         \1/p' Makefile
+	@sed -n 's/^# \(Set on.*\)/\n\1/p; s/^#  *\(PROFILE.*\|CHECKED.*\)/                         \1/p' Makefile
 
 # The list of objects: an archive is made anew when a source has come or gone.
 $(OUT)/members: FORCE
@@ -145,7 +147,7 @@ $(OUT)/tools/%.o: tools/%.c
 	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -c -o $@ $<
 
 # Examples: one program per file.
-EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(wildcard examples/*.c))
+EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(if $(filter lite,$(PROFILE)),$(LITE_EXAMPLES),$(wildcard examples/*.c)))
 examples: $(EXAMPLES) ## builds every program under examples/
 $(OUT)/examples/%: examples/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)

@@ -16,7 +16,7 @@ export RUNNER CROSS_COMPILE OUT
 # --- one configuration: this PORT, this compiler, these flags ---
 
 # tests/linux needs a kernel's own terminals: emulators of user programs do not know all of their calls.
-UNIT_SRC := $(wildcard tests/*.c tests/xt/*.c $(if $(RUNNER),,tests/$(OS)/*.c))
+UNIT_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_TESTS),$(wildcard tests/*.c tests/xt/*.c $(if $(RUNNER),,tests/$(OS)/*.c)))
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(OUT)/tests/%)
 KERNELINC := -Isrc/foundation -Iport/cpu/$(PORT)
 TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels,$@),$(KERNELINC))
@@ -63,6 +63,13 @@ verify-host: lib $(UNIT_BIN) $(DIGEST)
 	@tests/programs $(UNIT_BIN)
 	$(if $(DIGEST),@echo '# digests'; tests/check_digests.sh $(RUNNER) $(DIGEST))
 	$(PURITY)
+
+# PROFILE=lite: every function promised is there, and links without the rest of the library.
+verify-lite: lib $(UNIT_BIN)
+	@tests/programs $(UNIT_BIN)
+	@tests/check_lite.sh $(LIB) $(LITE_FUNCTIONS) -- $(LITE_WITHOUT)
+	$(PURITY)
+.PHONY: verify-lite
 
 # --- bare metal: MACHINE is one of QEMU's; UNITY_ROOT is a checkout of Unity, else tests/target/unity speaks its macros ---
 
@@ -175,6 +182,7 @@ native    = $(NATIVE) PORT=$(1) $(if $(filter $(1),$(EMULATED)),RUNNER="qemu-x86
 $(eval $(call layer,house,,,$(NATIVE) verify-house))
 $(foreach p,$(PORTS),$(eval $(call layer,$(p),,$(CMOCKA_H) $(if $(filter $(p),$(EMULATED)),qemu-x86_64),$(call native,$(p)) verify-host)))
 $(foreach p,$(filter-out $(EMULATED),$(PORTS)),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHECKED=1 PORT=$(p) verify-host)))
+$(eval $(call layer,lite,,$(CMOCKA_H),$(NATIVE) PROFILE=lite PORT=generic verify-lite verify-examples))
 $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/include/cmocka.h,$(A64) verify-host))
 $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
@@ -182,7 +190,7 @@ $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-ta
 $(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))
 $(if $(EXAMPLES),$(eval $(call layer,examples,layer-$(PORT)-checked,,$(NATIVE) CHECKED=1 verify-examples)))
 $(if $(SCRIPTS),$(eval $(call layer,scripts,layer-$(PORT),,$(NATIVE) verify-scripts)))
-QUICK := house $(PORT)
+QUICK := house $(PORT) lite
 
 golden: ## writes the list of golden digests anew: read the difference before committing it
 	+@$(NATIVE) PORT=generic write-golden

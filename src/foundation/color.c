@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "hsl.h"
+#include "color_rows.h"
 #include "kernel.h"
 #include "views.h"
 
@@ -75,7 +75,7 @@ int iris_color_takes(iris_format format)
     }
 }
 
-static void rgb_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n)
+void iris_color_rgb_fill(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n)
 {
     switch (format) {
     case IRIS_GRAY8:
@@ -105,18 +105,6 @@ static void rgb_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_
     }
 }
 
-static void bgr_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n)
-{
-    if (format == IRIS_BGR888) {
-        copy_row(dst, src, 3 * (size_t)n);
-    } else if (format == IRIS_RGB888) {
-        iris_row_swap_888(dst, src, n);
-    } else {
-        rgb_row(dst, src, format, n);
-        iris_row_swap_888(dst, dst, n);
-    }
-}
-
 /* From RGB888, or BGR888 with `bgr`. */
 static void gray_from_888(uint8_t *dst, const uint8_t *src, int32_t n, iris_gray_method method, int bgr)
 {
@@ -136,7 +124,8 @@ static void gray_from_888(uint8_t *dst, const uint8_t *src, int32_t n, iris_gray
     }
 }
 
-static void gray_row(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n, iris_gray_method method)
+void iris_color_gray_fill(uint8_t *dst, const uint8_t *src, iris_format format, int32_t n,
+                          iris_gray_method method)
 {
     if (format == IRIS_GRAY8) {
         copy_row(dst, src, (size_t)n);
@@ -150,16 +139,9 @@ static void gray_row(uint8_t *dst, const uint8_t *src, iris_format format, int32
         for (int32_t x = 0; x < n; x += PIECE) {
             uint8_t rgb[3 * PIECE];
             int32_t count = n - x < PIECE ? n - x : PIECE;
-            rgb_row(rgb, src + iris_format_row_bytes(format, 2) / 2 * (size_t)x, format, count);
+            iris_color_rgb_fill(rgb, src + iris_format_row_bytes(format, 2) / 2 * (size_t)x, format, count);
             gray_from_888(dst + x, rgb, count, method, 0);
         }
-    }
-}
-
-static void gray_from_mask(uint8_t *dst, const uint32_t *mask, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++) {
-        dst[i] = mask[i / 32] >> (i % 32) & 1u ? 255 : 0;
     }
 }
 
@@ -176,9 +158,8 @@ static int misaligned(const void *row, iris_format format)
     return (uintptr_t)row % alignment != 0;
 }
 
-/* May n pixels at src become n pixels at dst? */
-static iris_status rows_check(const void *dst, iris_format dst_format, const void *src,
-                              iris_format src_format, int32_t n)
+iris_status iris_color_rows_check(const void *dst, iris_format dst_format, const void *src,
+                                  iris_format src_format, int32_t n)
 {
     size_t dst_bytes = iris_format_row_bytes(dst_format, n);
     size_t src_bytes = iris_format_row_bytes(src_format, n);
@@ -195,8 +176,7 @@ static iris_status rows_check(const void *dst, iris_format dst_format, const voi
     return to < from + src_bytes && from < to + dst_bytes ? IRIS_ERR_ALIAS : IRIS_OK;
 }
 
-/* The same for views, formats apart. */
-static iris_status views_check(const iris_image *dst, const iris_image *src)
+iris_status iris_color_views_check(const iris_image *dst, const iris_image *src)
 {
     if (iris_image_check(dst) != IRIS_OK || iris_image_check(src) != IRIS_OK) {
         return IRIS_ERR_ARG;
@@ -213,22 +193,6 @@ static int is_method(iris_gray_method method)
     return method == IRIS_GRAY_LUMA || method == IRIS_GRAY_AVERAGE || method == IRIS_GRAY_GREEN;
 }
 
-static int is_pair(iris_format dst, iris_format src)
-{
-    switch (dst) {
-    case IRIS_GRAY8:
-        return iris_color_takes(src) || src == IRIS_MASK1;
-    case IRIS_RGB888:
-    case IRIS_BGR888:
-        return iris_color_takes(src) || src == IRIS_HSL24 || src == IRIS_HSL48;
-    case IRIS_HSL24:
-    case IRIS_HSL48:
-        return src == IRIS_RGB888 || src == IRIS_BGR888;
-    default:
-        return 0;
-    }
-}
-
 /* ---- the public functions ---- */
 
 iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_format, int32_t n)
@@ -239,9 +203,9 @@ iris_status iris_color_rgb_row(uint8_t *dst, const void *src, iris_format src_fo
     if (!iris_color_takes(src_format)) {
         return IRIS_ERR_FORMAT;
     }
-    iris_status status = rows_check(dst, IRIS_RGB888, src, src_format, n);
+    iris_status status = iris_color_rows_check(dst, IRIS_RGB888, src, src_format, n);
     if (status == IRIS_OK) {
-        rgb_row(dst, (const uint8_t *)src, src_format, n);
+        iris_color_rgb_fill(dst, (const uint8_t *)src, src_format, n);
     }
     return status;
 }
@@ -255,68 +219,16 @@ iris_status iris_color_gray_row(uint8_t *dst, const void *src, iris_format src_f
     if (!iris_color_takes(src_format)) {
         return IRIS_ERR_FORMAT;
     }
-    iris_status status = rows_check(dst, IRIS_GRAY8, src, src_format, n);
+    iris_status status = iris_color_rows_check(dst, IRIS_GRAY8, src, src_format, n);
     if (status == IRIS_OK) {
-        gray_row(dst, (const uint8_t *)src, src_format, n, method);
-    }
-    return status;
-}
-
-/* To RGB888 (red = 0) or BGR888 (red = 2). */
-static void row_to_888(uint8_t *dst, const void *src, iris_format src_format, int32_t n, int red)
-{
-    if (src_format == IRIS_HSL24) {
-        iris_hsl24_row_to_888(dst, (const uint8_t *)src, n, red);
-    } else if (src_format == IRIS_HSL48) {
-        iris_hsl48_row_to_888(dst, (const uint16_t *)src, n, red);
-    } else if (red == 0) {
-        rgb_row(dst, (const uint8_t *)src, src_format, n);
-    } else {
-        bgr_row(dst, (const uint8_t *)src, src_format, n);
-    }
-}
-
-iris_status iris_color_row(void *dst, iris_format dst_format, const void *src, iris_format src_format,
-                           int32_t n)
-{
-    if (!dst || !src) {
-        return IRIS_ERR_ARG;
-    }
-    if (!is_pair(dst_format, src_format)) {
-        return IRIS_ERR_FORMAT;
-    }
-    iris_status status = rows_check(dst, dst_format, src, src_format, n);
-    if (status != IRIS_OK) {
-        return status;
-    }
-    int src_red = src_format == IRIS_BGR888 ? 2 : 0;
-    if (dst_format == IRIS_HSL24) {
-        iris_hsl24_row_from_888((uint8_t *)dst, (const uint8_t *)src, n, src_red);
-    } else if (dst_format == IRIS_HSL48) {
-        iris_hsl48_row_from_888((uint16_t *)dst, (const uint8_t *)src, n, src_red);
-    } else if (dst_format != IRIS_GRAY8) {
-        row_to_888((uint8_t *)dst, src, src_format, n, dst_format == IRIS_BGR888 ? 2 : 0);
-    } else if (src_format == IRIS_MASK1) {
-        gray_from_mask((uint8_t *)dst, (const uint32_t *)src, n);
-    } else {
-        gray_row((uint8_t *)dst, (const uint8_t *)src, src_format, n, IRIS_GRAY_LUMA);
-    }
-    return IRIS_OK;
-}
-
-iris_status iris_color_convert(const iris_image *dst, const iris_image *src)
-{
-    iris_status status = views_check(dst, src);
-    for (int32_t y = 0; status == IRIS_OK && y < dst->h; y++) {
-        status =
-            iris_color_row(iris_image_row(dst, y), dst->format, iris_image_row(src, y), src->format, src->w);
+        iris_color_gray_fill(dst, (const uint8_t *)src, src_format, n, method);
     }
     return status;
 }
 
 iris_status iris_color_gray(const iris_image *dst, const iris_image *src, iris_gray_method method)
 {
-    iris_status status = views_check(dst, src);
+    iris_status status = iris_color_views_check(dst, src);
     if (status == IRIS_OK && dst->format != IRIS_GRAY8) {
         status = IRIS_ERR_FORMAT;
     }

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "histogram_gray.h"
 #include "iris/color.h"
 
 /* Pixels as bytes at a distance from each other. */
@@ -21,51 +22,6 @@ static inline uint32_t sample_at(samples of, int32_t i)
     max = p[2] > max ? p[2] : max;
     min = p[2] < min ? p[2] : min;
     return (max + min + 1) / 2;
-}
-
-/* Gray levels are counted in two tables in turn: neighbors are alike, and an increment that waits for the one before takes
- * several times as long. The second table has room for so many pixels. */
-#define SECOND_MAX 65535
-
-typedef struct {
-    uint16_t count[256];
-    int32_t used; /* at most this in one of them */
-} second_table;
-
-static void add_second(uint32_t histogram[256], second_table *second)
-{
-    for (int32_t p = 0; p < 256; p++) {
-        histogram[p] += second->count[p];
-    }
-    memset(second, 0, sizeof *second);
-}
-
-/* n is at most IRIS_SIDE_MAX. */
-static void count_bytes(uint32_t histogram[256], second_table *second, const uint8_t *row, int32_t n)
-{
-    int32_t x = 0;
-    if (second->used > SECOND_MAX - n) {
-        add_second(histogram, second);
-    }
-    second->used += n;
-    for (; x + 2 <= n; x += 2) {
-        uint32_t first = row[x], next = row[x + 1];
-        histogram[first]++;
-        second->count[next]++;
-    }
-    if (x < n) {
-        histogram[row[x]]++;
-    }
-}
-
-static void count_gray(uint32_t histogram[256], const iris_image *src)
-{
-    second_table second;
-    memset(&second, 0, sizeof second);
-    for (int32_t y = 0; y < src->h; y++) {
-        count_bytes(histogram, &second, (const uint8_t *)iris_image_row(src, y), src->w);
-    }
-    add_second(histogram, &second);
 }
 
 static void count_samples(uint32_t histogram[256], samples of, int32_t n)
@@ -191,7 +147,7 @@ iris_status iris_histogram(uint32_t histogram[256], const iris_image *src, int32
     }
     memset(histogram, 0, 256 * sizeof histogram[0]);
     if (src->format == IRIS_GRAY8 && !mask) {
-        count_gray(histogram, src);
+        iris_histogram_count_gray(histogram, src);
         return IRIS_OK;
     }
     for (int32_t y = 0; y < src->h; y++) {

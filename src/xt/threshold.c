@@ -1,8 +1,10 @@
 #include "iris/xt/threshold.h"
 
+#include <string.h>
+
 #include "../foundation/kernel.h"
 #include "../foundation/views.h"
-#include "iris/xt/histogram.h"
+#include "histogram_gray.h"
 
 static iris_status check(const iris_image *mask, const iris_image *gray, iris_select select)
 {
@@ -52,7 +54,8 @@ iris_status iris_threshold_otsu(uint8_t *value, const iris_image *mask, const ir
     if (!histogram) {
         return IRIS_ERR_SCRATCH;
     }
-    (void)iris_histogram(histogram, gray, 0, NULL);
+    memset(histogram, 0, IRIS_THRESHOLD_OTSU_SCRATCH_BYTES);
+    iris_histogram_count_gray(histogram, gray);
     uint8_t found;
     status = iris_otsu_value(&found, histogram);
     iris_scratch_release(scratch, start);
