@@ -2,22 +2,28 @@
 
 COUNTER := $(abspath $(BUILD))/libicnt.so
 RESULTS := $(abspath $(BUILD))/bench
-BENCH    = $(addprefix $(OUT)/tools/bench/,$(addsuffix .o,$(1)))
+BENCH_OBJ = $(addprefix $(OUT)/tools/bench/,$(addsuffix .o,$(1)))
 
 $(COUNTER): tools/bench/icnt.c
 	@mkdir -p $(@D)
 	gcc $(USERWARN) -O2 -shared -fPIC -o $@ $<
-BENCH_CASES := $(patsubst tools/bench/%.c,%,$(wildcard tools/bench/*_cases.c)) frame
-$(OUT)/bench-count: $(call BENCH,$(BENCH_CASES) count stdout) $(LIB)
+BENCH_CASES := $(patsubst tools/bench/%.c,%,$(wildcard tools/bench/*_cases.c)) frame modules
+$(OUT)/bench-count: $(call BENCH_OBJ,$(BENCH_CASES) count stdout) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
-$(OUT)/bench-time: $(call BENCH,$(BENCH_CASES) time) $(LIB)
+$(OUT)/bench-time: $(call BENCH_OBJ,$(BENCH_CASES) time) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 $(OUT)/bench.elf: STACK := 16384
-$(OUT)/bench.elf: $(call BENCH,$(BENCH_CASES) count) $(START) $(LIB)
+$(OUT)/bench.elf: $(call BENCH_OBJ,$(BENCH_CASES) count) $(START) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.o %.a,$^)
+
+PEERS_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bench/peers/*.c))
+$(PEERS_OBJ): BASE += -Itools/bench
+$(OUT)/bench-peers: $(PEERS_OBJ) $(call BENCH_OBJ,frame) $(LIB)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^)
 
 # RESULT names the column. A count and the line that names it belong together by their order.
 count-target: $(OUT)/bench.elf
@@ -48,6 +54,14 @@ bench: $(COUNTER) ## instructions per pixel on every port that runs here (exact)
 	@echo 'Compiled with $(OPT). Instructions: frames of 160x120; ns: nanoseconds on this machine, frames of 640x480.'
 	@tools/bench/table $(RESULTS)/*
 
+# The same operations beside OpenCV's on the same pictures. Its wheels are kept in the cache folder.
+PEER_VERSION ?= 5.* 4.*
+SIZES        ?= 640x480
+bench-peers: $(OUT)/bench-peers ## IRIS beside OpenCV's wheels from PyPI: every operation both have, SIZES=640x480,... BENCH=part of a name
+	@pythons=$$(tools/bench/peers/wheels "$(CACHE)/peers" $(PEER_VERSION:%='%')) && set -- $$pythons && \
+	    PYTHONDONTWRITEBYTECODE=1 "$$1" tools/bench/peers/peers.py --iris $< --port $(PORT) --sizes $(SIZES) \
+	    --only "$(BENCH)" --work $(BUILD)/peers --json $(BUILD)/peers.json "$$@"
+
 # A line per kernel: instructions per pixel (nanoseconds, on this machine) of the compiler's code and of ours, and the ratio.
 GAIN = awk '{ plain[$$3] += $$1; port[$$3] += $$2; n[$$3]++ } END { for (k in n) { r = plain[k] / port[k]; \
         printf "%-32s %8.3f %8.3f %6.2fx%s\n", k, plain[k] / n[k], port[k] / n[k], r, r < 1.3 ? "  earns too little" : "" } }' | sort
@@ -71,4 +85,4 @@ weigh: $(LIB) $(OUT)/firmware.elf
 	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
 	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
 	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
-.PHONY: size weigh gain gain-time gain-count bench count-target count-user time-host
+.PHONY: size weigh gain gain-time gain-count bench bench-peers count-target count-user time-host

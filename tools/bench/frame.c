@@ -1,15 +1,8 @@
-/* The frame that all cases work on, and the list of cases. */
+/* The frame that all cases work on. */
 #include <string.h>
 
 #include "bench.h"
 #include "iris/xt/threshold.h"
-
-#define BENCH_MODULE(module) bench_##module,
-const bench_case *const bench_modules[] = {
-#include "modules.def"
-    NULL,
-};
-#undef BENCH_MODULE
 
 bench_pictures bench_frame;
 
