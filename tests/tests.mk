@@ -73,9 +73,10 @@ verify-lite: lib $(UNIT_BIN)
 
 # --- bare metal: MACHINE is one of QEMU's; UNITY_ROOT is a checkout of Unity, else tests/target/unity speaks its macros ---
 
-MEMORY_microbit    := FLASH=0x40000 RAM=0x4000
-MEMORY_mps2-an385  := FLASH=0x400000 RAM=0x400000
-MEMORY_mps2-an386  := FLASH=0x400000 RAM=0x400000
+MEMORY_microbit    := FLASH=0x40000 RAM=0x4000 RAM_AT=0x20000000
+MEMORY_mps2-an385  := FLASH=0x400000 RAM=0x400000 RAM_AT=0x20000000
+MEMORY_mps2-an386  := FLASH=0x400000 RAM=0x400000 RAM_AT=0x20000000
+MEMORY_mps3-an547  := FLASH=0x80000 RAM=0x400000 RAM_AT=0x21000000
 STACK ?= 2048
 LINK   = -nostartfiles --specs=nano.specs -T tests/target/target.ld -Wl,--gc-sections \
          $(patsubst %,-Wl$(comma)--defsym=%,$(MEMORY_$(MACHINE)) STACK=$(STACK))
@@ -161,12 +162,14 @@ A64      := $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-l
 A32      := $(MAKE) -s CHECKED= CC=arm-linux-gnueabihf-gcc CROSS_COMPILE=arm-linux-gnueabihf- SYSROOT=$(A32_ROOT) OS=linux PORT=neon \
             RUNNER="qemu-arm -L /usr/arm-linux-gnueabihf -E LD_LIBRARY_PATH=$(A32_ROOT)/usr/lib/arm-linux-gnueabihf"
 # Firmware is small: optimized as a whole, without what moves and copies code for speed. Fat objects serve all other tools.
-CORTEX   := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none PORT=generic \
-            OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
+BARE     := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none
+CORTEX   := $(BARE) OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
                  -fno-inline-small-functions" \
             CFLAGS="-flto -flto-partition=one -ffat-lto-objects"
-M4       := $(CORTEX) MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
-M0       := $(CORTEX) MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
+M4       := $(CORTEX) PORT=cortexm MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
+M0       := $(CORTEX) PORT=generic MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
+# For speed, as vectors are for.
+M55      := $(BARE) PORT=helium MACHINE=mps3-an547 ARCH="-mcpu=cortex-m55 -mthumb -mfloat-abi=hard"
 CMOCKA_H := /usr/include/cmocka.h
 
 define layer
@@ -187,6 +190,7 @@ $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/
 $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))
+$(eval $(call layer,cortex-m55,,arm-none-eabi-gcc qemu-system-arm,$(M55) verify-target))
 $(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))
 $(if $(EXAMPLES),$(eval $(call layer,examples,layer-$(PORT)-checked,,$(NATIVE) CHECKED=1 verify-examples)))
 $(if $(SCRIPTS),$(eval $(call layer,scripts,layer-$(PORT),,$(NATIVE) verify-scripts)))

@@ -30,7 +30,11 @@ int32_t iris_follow_range(const iris_follow *follow, int32_t floor)
 static inline int32_t limit_of(const iris_follow *follow, int32_t floor, int bright)
 {
     enum { MARGIN = 16 };
-    int32_t depth = ((bright ? bright_range(follow, floor) : floor) * follow->contrast_q10) >> 18;
+    int32_t range = floor;
+    if (__builtin_expect(bright, 0)) {
+        range = bright_range(follow, floor);
+    }
+    int32_t depth = (range * follow->contrast_q10) >> 18;
     int32_t limit = (floor >> 8) - (depth > MARGIN ? depth : MARGIN);
     return limit < 0 ? 0 : limit;
 }

@@ -51,6 +51,10 @@ static int32_t find_runs(iris_follow *follow, iris_span *runs)
             continue;
         }
         while (bits != 0) {
+            if ((bits & 15u) == 0) {
+                bits >>= 4;
+                x += 4;
+            }
             for (; !(bits & 1u); bits >>= 1) {
                 x++;
             }
@@ -59,6 +63,10 @@ static int32_t find_runs(iris_follow *follow, iris_span *runs)
                 left = -1;
             }
             left = left < 0 ? x : left;
+            if ((bits & 15u) == 15) {
+                bits >>= 4;
+                x += 4;
+            }
             for (; bits & 1u; bits >>= 1) {
                 x++;
             }
@@ -231,11 +239,11 @@ void iris_follow_collect(iris_follow *follow, const uint8_t *gray)
     for (int32_t i = 0; i < IRIS_FOLLOW_RUNS; i++) {
         owner[i] = NO_CHAIN;
     }
-    for (;;) {
+    for (int32_t left = count; left > 0; left--) {
         iris_follow_pair next = best_pair(follow, runs, owner, count);
-        if (next.run >= 0 && next.chain < 0) {
+        if (next.chain < 0) {
             next.chain = start_chain(follow, runs[next.run]);
-        } else if (next.run >= 0 && gray && follow->chains[next.chain].bottom_y == follow->y - 1) {
+        } else if (gray && follow->chains[next.chain].bottom_y == follow->y - 1) {
             grow(follow, &runs[next.run], follow->chains[next.chain].bottom, gray);
         }
         if (next.chain < 0) {

@@ -4,7 +4,7 @@
 /* Both values shifted right alike until they fit in 30 bits: their ratio is what counts. */
 static void shrink(int64_t *a, int64_t *b)
 {
-    int64_t all = (*a < 0 ? ~*a : *a) | (*b < 0 ? ~*b : *b);
+    int64_t all = (*a < 0 ? -*a : *a) | (*b < 0 ? -*b : *b);
     for (; all > 0x3fffffff; all >>= 1) {
         *a >>= 1;
         *b >>= 1;
@@ -30,58 +30,71 @@ static int32_t rough_sine_q15(int32_t t_q15)
     return t_q15 * (sum >> 1) >> 14;
 }
 
-/* Distance of a point from the line in quarter pixels (12 fraction bits of the direction keep it in 32 bits). */
-static int32_t distance_q2(const iris_line *line, int32_t twice_x, int32_t y)
+/* A row's point is 1 / 4096 of the sum (its twice_x times per_twice_x, its y times per_row, and the rest) in quarter
+ * pixels away from a line: 12 fraction bits of the direction keep that in 32 bits. */
+typedef struct {
+    int32_t per_twice_x, per_row, rest;
+} ruler;
+
+static ruler ruler_along(const iris_line *line)
 {
-    int32_t from_x = twice_x * 2 - (line->x_q16 >> 14);
-    int32_t from_y = y * 4 - (line->y_q16 >> 14);
-    int32_t across = (from_x * (line->dy >> 18) - from_y * (line->dx >> 18)) >> 12;
+    int32_t dx = line->dx >> 18, dy = line->dy >> 18;
+    return (ruler){2 * dy, -4 * dx, (line->y_q16 >> 14) * dx - (line->x_q16 >> 14) * dy};
+}
+
+static int32_t distance_q2(const ruler *from, int32_t twice_x, int32_t y)
+{
+    int32_t across = (twice_x * from->per_twice_x + y * from->per_row + from->rest) >> 12;
     return across < 0 ? -across : across;
 }
 
-#define NO_LIMIT INT32_MAX
-
-/* Rows y0 to y1 without those that are farther from `line` than the limit. */
 typedef struct {
     const int16_t *twice_x;
-    int32_t y0, y1, limit_q2;
-    iris_line line;
-} row_set;
+    int32_t y0, y1;
+} row_range;
 
-/* The next row from y on that takes part, or one behind y1. */
-static int32_t next_row(const row_set *rows, int32_t y)
+/* Of the points, at twice the scale: at most 2^14 of them, within +-32767 and 0..32766. */
+typedef struct {
+    int32_t n, x, y;
+    int64_t difference, xy; /* of the squares of y and of x; products */
+} row_sums;
+
+/* Of those points that are at most limit_q2 away from a line; of all where `from` is null. */
+static row_sums sum_rows(const row_range *rows, const ruler *from, int32_t limit_q2)
 {
-    while (y <= rows->y1 &&
-           (rows->twice_x[y] == IRIS_REGRESS_NONE ||
-            (rows->limit_q2 != NO_LIMIT && distance_q2(&rows->line, rows->twice_x[y], y) > rows->limit_q2))) {
-        y++;
+    row_sums sums = {0};
+    for (int32_t row = rows->y0; row <= rows->y1; row++) {
+        int32_t x = rows->twice_x[row], y = 2 * row;
+        if (x == IRIS_REGRESS_NONE || (from && distance_q2(from, x, row) > limit_q2)) {
+            continue;
+        }
+        sums.n++;
+        sums.x += x;
+        sums.y += y;
+        sums.difference += y * y - x * x;
+        sums.xy += x * y;
     }
-    return y;
+    return sums;
 }
 
-/* The line through the rows, in two passes: first the center, then what is around it. At twice the scale, at most 2^14
- * rows are within +-32767 and 0..32766: all products fit in 32 bits. */
-static iris_status fit_rows(iris_line *line, const row_set *rows)
+/* a * b for |a| below 2^15 + 1, without the code that a small processor needs for 64 bits. */
+static int64_t product(int32_t a, int32_t b)
 {
-    int32_t n = 0, x = 0, y = 0;
-    for (int32_t row = next_row(rows, rows->y0); row <= rows->y1; row = next_row(rows, row + 1)) {
-        n++;
-        x += rows->twice_x[row];
-        y += 2 * row;
-    }
+    return (int64_t)(a * (b >> 15)) * 32768 + a * (b & 0x7fff);
+}
+
+/* The line through the points, from what is around their center. */
+static iris_status fit_rows(iris_line *line, const row_sums *sums)
+{
+    int32_t n = sums->n, x = sums->x, y = sums->y;
     if (n < 1) {
         return IRIS_ERR_RANGE;
     }
     int32_t center_x = x / n, center_y = y / n;
-    int64_t difference = 0, xy = 0;
-    for (int32_t row = next_row(rows, rows->y0); row <= rows->y1; row = next_row(rows, row + 1)) {
-        int32_t from_x = rows->twice_x[row] - center_x, from_y = 2 * row - center_y;
-        difference += from_y * from_y;
-        difference -= (uint32_t)from_x * (uint32_t)from_x;
-        xy += from_x * from_y;
-    }
-    /* what the whole numbers miss of the center, as the rest and with 16 fraction bits */
     int32_t rest_x = x - center_x * n, rest_y = y - center_y * n;
+    int64_t difference = sums->difference - product(center_y, y + rest_y) + product(center_x, x + rest_x);
+    int64_t xy = sums->xy - product(center_x, y) - center_y * rest_x;
+    /* what the whole numbers miss of the center, as the rest and with 16 fraction bits */
     int32_t fraction_x = rest_x * 65536 / n, fraction_y = rest_y * 65536 / n;
     difference = difference * 65536 - (rest_y * fraction_y - rest_x * fraction_x);
     xy = xy * 65536 - rest_x * fraction_y;
@@ -97,36 +110,39 @@ static iris_status fit_rows(iris_line *line, const row_set *rows)
     return status;
 }
 
-/* 2.5 times the mean distance of the rows' points from the line, in quarter pixels; a pixel at least. */
-static int32_t trim_limit_q2(const row_set *rows)
+/* 2.5 times the mean distance of all points, in quarter pixels; a pixel at least. INT32_MAX when none is farther. */
+static int32_t trim_limit_q2(const row_range *rows, const ruler *from, int32_t points)
 {
-    uint32_t sum = 0, twice_points = 0; /* at most 2^14 rows of less than 2^18 each */
-    for (int32_t y = next_row(rows, rows->y0); y <= rows->y1; y = next_row(rows, y + 1)) {
-        sum += (uint32_t)distance_q2(&rows->line, rows->twice_x[y], y);
-        twice_points += 2;
-    }
-    if (twice_points == 0) {
-        return 4;
+    uint32_t sum = 0, twice_points = 2u * (uint32_t)points; /* at most 2^14 of less than 2^18 each */
+    int32_t most = 0;
+    for (int32_t y = rows->y0; y <= rows->y1; y++) {
+        if (rows->twice_x[y] != IRIS_REGRESS_NONE) {
+            int32_t distance = distance_q2(from, rows->twice_x[y], y);
+            sum += (uint32_t)distance;
+            most = distance > most ? distance : most;
+        }
     }
     int32_t limit = (int32_t)(sum / twice_points * 5 + sum % twice_points * 5 / twice_points);
-    return limit < 4 ? 4 : limit;
+    limit = limit < 4 ? 4 : limit;
+    return most > limit ? limit : INT32_MAX;
 }
 
 iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int32_t y0, int32_t y1,
                                     int32_t trims)
 {
-    row_set rows = {.twice_x = twice_x, .y0 = y0, .y1 = y1, .limit_q2 = NO_LIMIT};
-    iris_status status = fit_rows(&rows.line, &rows);
-    if (status != IRIS_OK) {
-        return status;
-    }
-    *line = rows.line;
-    for (; trims > 0; trims--) {
-        rows.line = *line;
-        rows.limit_q2 = NO_LIMIT;
-        rows.limit_q2 = trim_limit_q2(&rows);
+    const row_range rows = {twice_x, y0, y1};
+    row_sums sums = sum_rows(&rows, NULL, 0);
+    int32_t all = sums.n;
+    iris_status status = fit_rows(line, &sums);
+    for (; status == IRIS_OK && trims > 0; trims--) {
+        ruler from = ruler_along(line);
+        int32_t limit = trim_limit_q2(&rows, &from, all);
+        if (limit == INT32_MAX && line->points == all) {
+            break; /* the line through all points, and none is to be left out */
+        }
+        sums = sum_rows(&rows, &from, limit);
         /* when what is left has no direction, the line before stays */
-        (void)fit_rows(line, &rows);
+        (void)fit_rows(line, &sums);
     }
-    return IRIS_OK;
+    return status;
 }

@@ -55,8 +55,19 @@ static void fault(void)
     stop(99);
 }
 
+/* Vector registers are off after reset. */
+static void enable_vectors(void)
+{
+#ifdef __ARM_FP
+    volatile uint32_t *access_control = (volatile uint32_t *)0xE000ED88u;
+    *access_control |= 0xFu << 20;
+    __asm__ volatile("dsb\n\tisb" ::: "memory");
+#endif
+}
+
 void target_reset(void)
 {
+    enable_vectors();
     const uint32_t *from = link_data_load;
     for (uint32_t *to = link_data_start; to < link_data_end; to++) {
         *to = *from++;

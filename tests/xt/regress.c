@@ -424,6 +424,28 @@ static void a_pixel_is_never_trimmed(void **state)
     assert_int_equal(line.points, 60);
 }
 
+/* Sums that are powers of two, and so the only ones that reach the lower limit of what is rotated. */
+static void diagonals_over_powers_of_two(void **state)
+{
+    (void)state;
+    static int16_t rows[2049];
+    for (int32_t y = 0; y <= 2048; y++) {
+        rows[y] = IRIS_REGRESS_NONE;
+    }
+    for (int32_t length = 2; length <= 2048; length *= 2) {
+        iris_line line;
+        rows[0] = (int16_t)(2 * length);
+        rows[length] = 0;
+        assert_int_equal(iris_regress_rows(&line, rows, 0, length, 2), IRIS_OK);
+        assert_int_equal(line.angle, 8192);
+        rows[0] = 0;
+        rows[length] = (int16_t)(2 * length);
+        assert_int_equal(iris_regress_rows(&line, rows, 0, length, 2), IRIS_OK);
+        assert_int_equal(line.angle, -8192);
+        rows[length] = IRIS_REGRESS_NONE;
+    }
+}
+
 static void rows_at_the_limits(void **state)
 {
     (void)state;
@@ -524,6 +546,7 @@ int main(void)
         cmocka_unit_test(rows_with_strangers),
         cmocka_unit_test(a_trim_is_two_and_a_half_mean_distances),
         cmocka_unit_test(a_pixel_is_never_trimmed),
+        cmocka_unit_test(diagonals_over_powers_of_two),
         cmocka_unit_test(rows_at_the_limits),
         cmocka_unit_test(masks_against_doubles),
         cmocka_unit_test(wrong_masks_are_refused),
