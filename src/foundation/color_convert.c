@@ -71,7 +71,7 @@ iris_status iris_color_row(void *dst, iris_format dst_format, const void *src, i
     }
     int src_red = src_format == IRIS_BGR888 ? 2 : 0;
     if (dst_format == IRIS_HSL24) {
-        iris_hsl24_row_from_888((uint8_t *)dst, (const uint8_t *)src, n, src_red);
+        iris_row_hsl24_888((uint8_t *)dst, (const uint8_t *)src, src_red, n);
     } else if (dst_format == IRIS_HSL48) {
         iris_hsl48_row_from_888((uint16_t *)dst, (const uint8_t *)src, n, src_red);
     } else if (dst_format != IRIS_GRAY8) {

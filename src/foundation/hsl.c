@@ -2,29 +2,9 @@
 
 #include "iris/color.h"
 
-/* n / d rounded half up; n >= 0, d > 0. */
-static uint32_t divide(int32_t n, int32_t d)
-{
-    return ((uint32_t)n + (uint32_t)d / 2) / (uint32_t)d;
-}
-
-/* HSL with `hues` steps to a turn and saturation up to s_max; L is the sum of the largest and smallest
- * channel. */
-static iris_hsl hsl_of(iris_color color, int32_t hues, int32_t s_max)
-{
-    iris_hsl_extent extent = iris_hsl_extent_of(color.r, color.g, color.b);
-    iris_hsl hsl = {0, 0, (uint16_t)extent.sum};
-    if (extent.chroma > 0) {
-        int32_t hue = iris_hsl_hue_times_chroma(color.r, color.g, color.b, extent);
-        hsl.h = (uint16_t)divide(hues * hue, 6 * extent.chroma);
-        hsl.s = (uint16_t)divide(s_max * extent.chroma, iris_hsl_chroma_limit(extent.sum));
-    }
-    return hsl;
-}
-
 iris_hsl iris_hsl_from_color(iris_color color)
 {
-    return hsl_of(color, 1536, 65535);
+    return iris_hsl_of(color.r, color.g, color.b, 1536, 65535);
 }
 
 static iris_color color_of(uint8_t r, uint8_t g, uint8_t b)
@@ -57,11 +37,6 @@ iris_color iris_color_from_hsl(iris_hsl hsl)
     }
 }
 
-static iris_color color_at(const uint8_t *pixel, int red)
-{
-    return color_of(pixel[red], pixel[1], pixel[2 - red]);
-}
-
 static void color_put(uint8_t *pixel, iris_color color, int red)
 {
     pixel[red] = color.r;
@@ -72,20 +47,10 @@ static void color_put(uint8_t *pixel, iris_color color, int red)
 void iris_hsl48_row_from_888(uint16_t *dst, const uint8_t *src, int32_t n, int red)
 {
     for (int32_t i = 0; i < n; i++, src += 3, dst += 3) {
-        iris_hsl hsl = hsl_of(color_at(src, red), 1536, 65535);
+        iris_hsl hsl = iris_hsl_of(src[red], src[1], src[2 - red], 1536, 65535);
         dst[0] = hsl.h;
         dst[1] = hsl.s;
         dst[2] = hsl.l;
-    }
-}
-
-void iris_hsl24_row_from_888(uint8_t *dst, const uint8_t *src, int32_t n, int red)
-{
-    for (int32_t i = 0; i < n; i++, src += 3, dst += 3) {
-        iris_hsl hsl = hsl_of(color_at(src, red), 256, 255);
-        dst[0] = (uint8_t)hsl.h;
-        dst[1] = (uint8_t)hsl.s;
-        dst[2] = (uint8_t)((hsl.l + 1) / 2);
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "iris/color.h"
+
 typedef struct {
     int32_t max;
     int32_t chroma; /* max - min: 0..255 */
@@ -35,9 +37,28 @@ static inline int32_t iris_hsl_hue_times_chroma(int32_t r, int32_t g, int32_t b,
     return hue < 0 ? hue + 6 * c : hue;
 }
 
+/* n / d rounded half up; n >= 0, d > 0. */
+static inline uint32_t iris_hsl_divide(int32_t n, int32_t d)
+{
+    return ((uint32_t)n + (uint32_t)d / 2) / (uint32_t)d;
+}
+
+/* HSL with `hues` steps to a turn and saturation up to s_max; L is the sum of the largest and smallest
+ * channel. */
+static inline iris_hsl iris_hsl_of(int32_t r, int32_t g, int32_t b, int32_t hues, int32_t s_max)
+{
+    iris_hsl_extent extent = iris_hsl_extent_of(r, g, b);
+    iris_hsl hsl = {0, 0, (uint16_t)extent.sum};
+    if (extent.chroma > 0) {
+        int32_t hue = iris_hsl_hue_times_chroma(r, g, b, extent);
+        hsl.h = (uint16_t)iris_hsl_divide(hues * hue, 6 * extent.chroma);
+        hsl.s = (uint16_t)iris_hsl_divide(s_max * extent.chroma, iris_hsl_chroma_limit(extent.sum));
+    }
+    return hsl;
+}
+
 /* Rows of n pixels between HSL and RGB888 (red = 0) or BGR888 (red = 2). HSL24 works in place. */
 void iris_hsl48_row_from_888(uint16_t *dst, const uint8_t *src, int32_t n, int red);
-void iris_hsl24_row_from_888(uint8_t *dst, const uint8_t *src, int32_t n, int red);
 void iris_hsl48_row_to_888(uint8_t *dst, const uint16_t *src, int32_t n, int red);
 void iris_hsl24_row_to_888(uint8_t *dst, const uint8_t *src, int32_t n, int red);
 

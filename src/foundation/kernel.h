@@ -154,6 +154,12 @@ void iris_row_hsl_range_c(uint32_t *mask, const uint8_t *rgb, const iris_hsl_ran
 #define iris_row_hsl_range iris_row_hsl_range_c
 #endif
 
+/* dst = HSL24, as iris/color.h says, of pixels whose red is byte 0 or 2. dst may be src. */
+void iris_row_hsl24_888_c(uint8_t *dst, const uint8_t *src, int32_t red, int32_t n);
+#ifndef iris_row_hsl24_888
+#define iris_row_hsl24_888 iris_row_hsl24_888_c
+#endif
+
 /* dst = the median of the 3x3 samples around, of three rows. A pixel's neighbors are `step` samples away; rows are
  * readable from -step up to below n + step. */
 void iris_row_median9_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
@@ -341,6 +347,18 @@ void iris_row_laplacian_u8_c(int16_t *dst, const uint8_t *const rows[3], int32_t
 void iris_row_gain_s16_c(uint8_t *dst, const int16_t *src, uint32_t gain_q16, int32_t n);
 #ifndef iris_row_gain_s16
 #define iris_row_gain_s16 iris_row_gain_s16_c
+#endif
+
+/* Both at once, without rows in between: the gain of a gradient's size, and of a Laplacian. */
+void iris_row_gradient_gain_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t more, uint32_t gain_q16,
+                                 int32_t n);
+#ifndef iris_row_gradient_gain_u8
+#define iris_row_gradient_gain_u8 iris_row_gradient_gain_u8_c
+#endif
+
+void iris_row_laplacian_gain_u8_c(uint8_t *dst, const uint8_t *const rows[3], uint32_t gain_q16, int32_t n);
+#ifndef iris_row_laplacian_gain_u8
+#define iris_row_laplacian_gain_u8 iris_row_laplacian_gain_u8_c
 #endif
 
 /* bit = src > limit; limit 0 to 32767. */

@@ -34,3 +34,13 @@ void iris_row_hsl_range_c(uint32_t *mask, const uint8_t *rgb, const iris_hsl_ran
         iris_row_put_bits(&mask[start / 32], bits, count);
     }
 }
+
+void iris_row_hsl24_888_c(uint8_t *dst, const uint8_t *src, int32_t red, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++, src += 3, dst += 3) {
+        iris_hsl hsl = iris_hsl_of(src[red], src[1], src[2 - red], 256, 255);
+        dst[0] = (uint8_t)hsl.h;
+        dst[1] = (uint8_t)hsl.s;
+        dst[2] = (uint8_t)((hsl.l + 1) / 2);
+    }
+}

@@ -62,6 +62,33 @@ void iris_row_gain_s16_c(uint8_t *dst, const int16_t *src, uint32_t gain_q16, in
     }
 }
 
+/* By way of the port's kernels, a piece at a time. */
+#define TILE 64
+
+void iris_row_gradient_gain_u8_c(uint8_t *dst, const uint8_t *const rows[3], int32_t more, uint32_t gain_q16,
+                                 int32_t n)
+{
+    int16_t dx[TILE], dy[TILE], size[TILE];
+    const iris_row_gradient to = {dx, dy, size};
+    for (int32_t from = 0; from < n; from += TILE) {
+        int32_t some = n - from < TILE ? n - from : TILE;
+        const uint8_t *const here[3] = {rows[0] + from, rows[1] + from, rows[2] + from};
+        iris_row_gradient_u8(&to, here, more, some);
+        iris_row_gain_s16(dst + from, size, gain_q16, some);
+    }
+}
+
+void iris_row_laplacian_gain_u8_c(uint8_t *dst, const uint8_t *const rows[3], uint32_t gain_q16, int32_t n)
+{
+    int16_t values[TILE];
+    for (int32_t from = 0; from < n; from += TILE) {
+        int32_t some = n - from < TILE ? n - from : TILE;
+        const uint8_t *const here[3] = {rows[0] + from, rows[1] + from, rows[2] + from};
+        iris_row_laplacian_u8(values, here, some);
+        iris_row_gain_s16(dst + from, values, gain_q16, some);
+    }
+}
+
 void iris_row_above_s16_c(uint32_t *mask, const int16_t *src, int32_t limit, int32_t n)
 {
     for (int32_t start = 0; start < n; start += 32, src += 32) {

@@ -112,6 +112,14 @@ static int walk_span(edge_walk *walk)
     return walk->end > 0 && walk->y < walk->src->h - 1;
 }
 
+/* Row y and its neighbors, from the first pixel that is evaluated. */
+static void rows_around(const uint8_t *rows[3], const edge_walk *walk)
+{
+    for (int32_t k = 0; k < 3; k++) {
+        rows[k] = iris_rows_at(&walk->rows, k - 1) + walk->first;
+    }
+}
+
 /* The differences of row y into rows of its pixels, once for each row; 0 when none are to be evaluated. Where there is
  * one value, it goes to dx, and the rest is not written. */
 static int walk_values(edge_walk *walk, iris_row_gradient to)
@@ -123,9 +131,8 @@ static int walk_values(edge_walk *walk, iris_row_gradient to)
         return 0;
     }
     const int32_t first = walk->first;
-    const uint8_t *const rows[3] = {iris_rows_at(&walk->rows, -1) + first,
-                                    iris_rows_at(&walk->rows, 0) + first,
-                                    iris_rows_at(&walk->rows, 1) + first};
+    const uint8_t *rows[3];
+    rows_around(rows, walk);
     to = (iris_row_gradient){to.dx + first, to.dy + first, to.size + first};
     iris_edge_row(&to, rows, walk->config.op, walk->end - first);
     return 1;
@@ -203,6 +210,24 @@ static iris_status walk_to(edge_walk *walk, const iris_image *dst, iris_format f
     return status == IRIS_OK ? walk_begin(walk, src, border, scratch) : status;
 }
 
+/* Row y of the magnitude: at once from the picture, or by way of a row of values. */
+static void write_levels(const iris_image *dst, edge_walk *walk)
+{
+    uint8_t *row = (uint8_t *)iris_image_row(dst, walk->y);
+    const uint32_t gain_q16 = (uint32_t)walk->config.gain_q16;
+    const iris_edge_operator op = walk->config.op;
+    if (op == IRIS_EDGE_LOG || op == IRIS_EDGE_ROBERTS) {
+        if (walk_row(walk)) {
+            const int16_t *sizes = values_row(walk, op == IRIS_EDGE_LOG ? DX : SIZE) + walk->first;
+            iris_row_gain_s16(row + walk->first, sizes, gain_q16, walk->end - walk->first);
+        }
+    } else if (walk_span(walk)) {
+        const uint8_t *rows[3];
+        rows_around(rows, walk);
+        iris_edge_row_u8(row + walk->first, rows, op, gain_q16, walk->end - walk->first);
+    }
+}
+
 iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, const iris_edge_config *config,
                                 iris_border border, iris_scratch *scratch)
 {
@@ -211,12 +236,8 @@ iris_status iris_edge_magnitude(const iris_image *dst, const iris_image *src, co
     if (status != IRIS_OK) {
         return status;
     }
-    const int16_t *sizes = values_row(&walk, has_one_value(walk.config.op) ? DX : SIZE);
     for (; walk.y < src->h; walk_next(&walk)) {
-        if (walk_row(&walk)) {
-            uint8_t *row = (uint8_t *)iris_image_row(dst, walk.y) + walk.first;
-            iris_row_gain_s16(row, sizes + walk.first, (uint32_t)walk.config.gain_q16, walk.end - walk.first);
-        }
+        write_levels(dst, &walk);
     }
     return walk_end(&walk);
 }

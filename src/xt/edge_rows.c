@@ -11,26 +11,31 @@ static void row_roberts(const iris_row_gradient *to, const uint8_t *const rows[3
     }
 }
 
+static int32_t more_of(iris_edge_operator op)
+{
+    return op == IRIS_EDGE_SOBEL     ? IRIS_EDGE_MORE_SOBEL
+           : op == IRIS_EDGE_PREWITT ? IRIS_EDGE_MORE_PREWITT
+                                     : IRIS_EDGE_MORE_ISOTROPIC;
+}
+
 void iris_edge_row(const iris_row_gradient *to, const uint8_t *const rows[3], iris_edge_operator op,
                    int32_t n)
 {
-    switch (op) {
-    case IRIS_EDGE_SOBEL:
-        iris_row_gradient_u8(to, rows, IRIS_EDGE_MORE_SOBEL, n);
-        break;
-    case IRIS_EDGE_PREWITT:
-        iris_row_gradient_u8(to, rows, IRIS_EDGE_MORE_PREWITT, n);
-        break;
-    case IRIS_EDGE_ISOTROPIC:
-        iris_row_gradient_u8(to, rows, IRIS_EDGE_MORE_ISOTROPIC, n);
-        break;
-    case IRIS_EDGE_ROBERTS:
+    if (op == IRIS_EDGE_ROBERTS) {
         row_roberts(to, rows, n);
-        break;
-    case IRIS_EDGE_LAPLACIAN:
+    } else if (op == IRIS_EDGE_LAPLACIAN) {
         iris_row_laplacian_u8(to->dx, rows, n);
-        break;
-    case IRIS_EDGE_LOG:
-        break; /* log_rows.h */
+    } else {
+        iris_row_gradient_u8(to, rows, more_of(op), n);
+    }
+}
+
+void iris_edge_row_u8(uint8_t *dst, const uint8_t *const rows[3], iris_edge_operator op, uint32_t gain_q16,
+                      int32_t n)
+{
+    if (op == IRIS_EDGE_LAPLACIAN) {
+        iris_row_laplacian_gain_u8(dst, rows, gain_q16, n);
+    } else {
+        iris_row_gradient_gain_u8(dst, rows, more_of(op), gain_q16, n);
     }
 }

@@ -13,6 +13,10 @@ enum { IRIS_EDGE_MORE_SOBEL = 128, IRIS_EDGE_MORE_ISOTROPIC = 53, IRIS_EDGE_MORE
 void iris_edge_row(const iris_row_gradient *to, const uint8_t *const rows[3], iris_edge_operator op,
                    int32_t n);
 
+/* The sizes alone, times the gain, rounded, at most 255: of all but ROBERTS and LOG. */
+void iris_edge_row_u8(uint8_t *dst, const uint8_t *const rows[3], iris_edge_operator op, uint32_t gain_q16,
+                      int32_t n);
+
 /* The bits of word `word` of a mask's row that stand for pixels first to end - 1. */
 static inline uint32_t iris_mask_part(int32_t word, int32_t first, int32_t end)
 {

@@ -46,6 +46,23 @@ static void run_hsl_range(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_hsl_range)(words(rows[0]), rows[1], &range, n);
 }
 
+static int32_t red;
+
+static void choose_red(void)
+{
+    red = 2 * (int32_t)random_below(2);
+}
+
+static void run_hsl24(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_hsl24_888)(rows[0], rows[1], red, n);
+}
+
+static void run_hsl24_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_hsl24_888)(rows[0], rows[0], red, n);
+}
+
 static const kernel_case cases[] = {
     {KERNEL(iris_row_luma_rgb888), run_luma_rgb888, NULL, {ROW_U8, ROW_888}},
     {KERNEL(iris_row_luma_bgr888), run_luma_bgr888, NULL, {ROW_U8, ROW_888}},
@@ -53,6 +70,8 @@ static const kernel_case cases[] = {
     {KERNEL(iris_row_swap_888), run_swap, NULL, {ROW_888, ROW_888}},
     {KERNEL(iris_row_swap_888), run_swap_in_place, NULL, {ROW_888}},
     {KERNEL(iris_row_hsl_range), run_hsl_range, choose_range, {ROW_MASK, ROW_888}},
+    {KERNEL(iris_row_hsl24_888), run_hsl24, choose_red, {ROW_888, ROW_888}},
+    {KERNEL(iris_row_hsl24_888), run_hsl24_in_place, choose_red, {ROW_888}},
 };
 
 /* ---- truths ---- */
@@ -81,6 +100,27 @@ static void hsl_range_of_many_colors(void **state)
                 assert_memory_equal(plain, port, sizeof plain);
             }
         }
+    }
+}
+
+/* Every color, where there is anything to compare. */
+static void hsl24_of_all_colors(void **state)
+{
+    (void)state;
+    const any_function bodies[2] = {(any_function)iris_row_hsl24_888, (any_function)iris_row_hsl24_888_c};
+    if (bodies[0] == bodies[1]) {
+        return;
+    }
+    for (int color = 0; color < 1 << 24; color += 256) {
+        uint8_t rgb[3 * 256], plain[3 * 256], port[3 * 256];
+        for (int b = 0; b < 256; b++) {
+            rgb[3 * b] = (uint8_t)(color >> 16);
+            rgb[3 * b + 1] = (uint8_t)(color >> 8);
+            rgb[3 * b + 2] = (uint8_t)b;
+        }
+        iris_row_hsl24_888_c(plain, rgb, 0, 256);
+        iris_row_hsl24_888(port, rgb, 0, 256);
+        assert_memory_equal(plain, port, sizeof plain);
     }
 }
 
@@ -166,6 +206,30 @@ static void truth_of_hsl_range(void **state)
     }
 }
 
+/* Sixths of a turn are 42.67 steps. */
+static void truth_of_hsl24(void **state)
+{
+    (void)state;
+    static const uint8_t colors[11][2][3] = {
+        {{0, 0, 0}, {0, 0, 0}},          {{255, 255, 255}, {0, 0, 255}},   {{255, 0, 0}, {0, 255, 128}},
+        {{255, 255, 0}, {43, 255, 128}}, {{0, 255, 0}, {85, 255, 128}},    {{0, 255, 255}, {128, 255, 128}},
+        {{0, 0, 255}, {171, 255, 128}},  {{255, 0, 255}, {213, 255, 128}}, {{255, 0, 1}, {0, 255, 128}},
+        {{255, 0, 6}, {255, 255, 128}},  {{100, 50, 50}, {0, 85, 75}}};
+    uint8_t src[3 * N], dst[3 * N], *rows[2] = {dst, src};
+    BOTH_BODIES(plain)
+    {
+        for (red = 0; red < 3; red += 2) {
+            for (int i = 0; i < 3 * N; i++) {
+                src[i] = colors[i / 3 % 11][0][red ? 2 - i % 3 : i % 3];
+            }
+            run_hsl24(plain, rows, N);
+            for (int i = 0; i < 3 * N; i++) {
+                assert_int_equal(dst[i], colors[i / 3 % 11][1][i % 3]);
+            }
+        }
+    }
+}
+
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
@@ -173,6 +237,8 @@ static int truths(void)
         cmocka_unit_test(truth_of_luma),
         cmocka_unit_test(truth_of_swap),
         cmocka_unit_test(truth_of_hsl_range),
+        cmocka_unit_test(hsl24_of_all_colors),
+        cmocka_unit_test(truth_of_hsl24),
     };
     return cmocka_run_group_tests_name("kernels of color", tests, NULL, NULL);
 }

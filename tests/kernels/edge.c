@@ -80,6 +80,25 @@ static void run_gain(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_gain_s16)(rows[0], halves(rows[1]), gain, n);
 }
 
+static void choose_more_and_gain(void)
+{
+    choose_more();
+    choose_gain();
+    gain -= gain % 2 && random_below(8); /* odd ones are rare */
+}
+
+static void run_gradient_gain(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *const around[3] = {rows[1], rows[2], rows[3]};
+    BODY(plain, iris_row_gradient_gain_u8)(rows[0], around, more, gain, n);
+}
+
+static void run_laplacian_gain(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *const around[3] = {rows[1], rows[2], rows[3]};
+    BODY(plain, iris_row_laplacian_gain_u8)(rows[0], around, gain, n);
+}
+
 static void run_above(int plain, uint8_t **rows, int32_t n)
 {
     BODY(plain, iris_row_above_s16)(words(rows[0]), halves(rows[1]), low, n);
@@ -112,6 +131,11 @@ static const kernel_case cases[] = {
      choose_limits,
      {ROW_MASK, ROW_VALUE3, ROW_VALUE3, ROW_VALUE3}},
     {KERNEL(iris_row_gain_s16), run_gain, choose_gain, {ROW_U8, ROW_VALUE}},
+    {KERNEL(iris_row_gradient_gain_u8), run_gradient_gain, choose_more_and_gain, {ROW_U8, ROW3, ROW3, ROW3}},
+    {KERNEL(iris_row_laplacian_gain_u8),
+     run_laplacian_gain,
+     choose_more_and_gain,
+     {ROW_U8, ROW3, ROW3, ROW3}},
     {KERNEL(iris_row_above_s16), run_above, choose_limits, {ROW_MASK, ROW_S16}},
     {KERNEL(iris_row_ridges_s16),
      run_ridges,
@@ -171,6 +195,38 @@ static void truth_of_gain(void **state)
             run_gain(plain, rows, N);
             for (int i = 0; i < N; i++) {
                 assert_int_equal(dst[i], expected[k].levels[i % 7]);
+            }
+        }
+    }
+}
+
+/* Pixels two apart that differ by 80: Prewitt's size is 240, Sobel's 320. Lines that are 30 brighter: -60 on them, 30
+ * beside them. */
+static void truth_of_gains_at_once(void **state)
+{
+    (void)state;
+    static const uint32_t gains[4] = {65536, 21845, 21846, 3 * 65536 / 4};
+    static const uint8_t of_gradient[4][2] = {{240, 255}, {80, 107}, {80, 107}, {180, 240}};
+    static const uint8_t of_laplacian[4][2] = {{60, 30}, {20, 10}, {20, 10}, {45, 23}};
+    BOTH_BODIES(plain)
+    {
+        uint8_t out[N], slope[N + 2], line[N + 2];
+        uint8_t *rows[2][4] = {{out, slope + 1, slope + 1, slope + 1}, {out, line + 1, line + 1, line + 1}};
+        for (int i = 0; i < N + 2; i++) {
+            slope[i] = (uint8_t)(i / 2 % 2 ? 200 : 120);
+            line[i] = (uint8_t)(i % 3 == 1 ? 130 : 100);
+        }
+        for (int k = 0; k < 4; k++) {
+            gain = gains[k];
+            for (more = 0; more <= 128; more += 128) {
+                run_gradient_gain(plain, rows[0], N);
+                for (int i = 0; i < N; i++) {
+                    assert_int_equal(out[i], of_gradient[k][more / 128]);
+                }
+            }
+            run_laplacian_gain(plain, rows[1], N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(out[i], of_laplacian[k][i % 3 != 0]);
             }
         }
     }
@@ -330,10 +386,10 @@ static void truth_of_unlike(void **state)
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_gradient),  cmocka_unit_test(truth_of_gain),
-        cmocka_unit_test(truth_of_laplacian), cmocka_unit_test(truth_of_crossings),
-        cmocka_unit_test(truth_of_above),     cmocka_unit_test(truth_of_ridges),
-        cmocka_unit_test(truth_of_unlike),
+        cmocka_unit_test(truth_of_gradient),      cmocka_unit_test(truth_of_gain),
+        cmocka_unit_test(truth_of_gains_at_once), cmocka_unit_test(truth_of_laplacian),
+        cmocka_unit_test(truth_of_crossings),     cmocka_unit_test(truth_of_above),
+        cmocka_unit_test(truth_of_ridges),        cmocka_unit_test(truth_of_unlike),
     };
     return cmocka_run_group_tests_name("kernels of edges", tests, NULL, NULL);
 }

@@ -1,51 +1,48 @@
-/* Symmetric weighted sums: _mm_mulhrs_epi16 is the rounded product. The last samples of a row come again, where it is
+/* Symmetric weighted sums: V(mulhrs_epi16) is the rounded product. The last samples of a row come again, where it is
  * no multiple of the vectors. Every radius has loops of its own that are unrolled. */
-#include "vector.h"
-
-#define INLINE static inline __attribute__((always_inline))
+#include "lanes.h"
 
 typedef struct {
-    __m128i w[IRIS_BELL_RADIUS + 1];
+    lanes w[IRIS_BELL_RADIUS + 1];
 } bell_weights;
 
 INLINE bell_weights spread(const int16_t *weights, int32_t radius)
 {
     bell_weights all;
     for (int32_t k = 0; k <= IRIS_BELL_RADIUS; k++) {
-        all.w[k] = _mm_set1_epi16(k <= radius ? weights[k] : 0);
+        all.w[k] = V(set1_epi16)(k <= radius ? weights[k] : 0);
     }
     return all;
 }
 
 /* (a + b) * 64 * weight, of eight pairs of bytes. */
-INLINE __m128i weigh_pairs(__m128i pairs, __m128i weight)
+INLINE lanes weigh_pairs(lanes pairs, lanes weight)
 {
-    return _mm_mulhrs_epi16(_mm_maddubs_epi16(pairs, _mm_set1_epi8(64)), weight);
+    return V(mulhrs_epi16)(V(maddubs_epi16)(pairs, V(set1_epi8)(64)), weight);
 }
 
 INLINE void down(int16_t *dst, const uint8_t *const *rows, const int16_t *weights, int32_t radius, int32_t n)
 {
     const bell_weights by = spread(weights, radius);
-    for (int32_t i = 0; i < n; i += 16) {
-        int32_t at = i < n - 16 ? i : n - 16;
-        __m128i center = load16(rows[radius] + at);
-        __m128i low = weigh_pairs(_mm_unpacklo_epi8(center, _mm_setzero_si128()), by.w[0]);
-        __m128i high = weigh_pairs(_mm_unpackhi_epi8(center, _mm_setzero_si128()), by.w[0]);
+    for (int32_t i = 0; i < n; i += LANES) {
+        int32_t at = i < n - LANES ? i : n - LANES;
+        lanes center = load_lanes(rows[radius] + at);
+        lanes low = weigh_pairs(V(unpacklo_epi8)(center, VSI(setzero)()), by.w[0]);
+        lanes high = weigh_pairs(V(unpackhi_epi8)(center, VSI(setzero)()), by.w[0]);
 #pragma GCC unroll 8
         for (int32_t k = 1; k <= radius; k++) {
-            __m128i above = load16(rows[radius - k] + at), below = load16(rows[radius + k] + at);
-            low = _mm_add_epi16(low, weigh_pairs(_mm_unpacklo_epi8(above, below), by.w[k]));
-            high = _mm_add_epi16(high, weigh_pairs(_mm_unpackhi_epi8(above, below), by.w[k]));
+            lanes above = load_lanes(rows[radius - k] + at), below = load_lanes(rows[radius + k] + at);
+            low = V(add_epi16)(low, weigh_pairs(V(unpacklo_epi8)(above, below), by.w[k]));
+            high = V(add_epi16)(high, weigh_pairs(V(unpackhi_epi8)(above, below), by.w[k]));
         }
-        store16(dst + at, low);
-        store16(dst + at + 8, high);
+        store_halves(dst + at, low, high);
     }
 }
 
 void iris_row_bell_down_sse(int16_t *dst, const uint8_t *const *rows, const int16_t *weights, int32_t radius,
                             int32_t n)
 {
-    if (n < 16) {
+    if (n < LANES) {
         iris_row_bell_down_c(dst, rows, weights, radius, n);
         return;
     }
@@ -68,13 +65,13 @@ void iris_row_bell_down_sse(int16_t *dst, const uint8_t *const *rows, const int1
     }
 }
 
-INLINE __m128i across_8(const int16_t *src, const bell_weights *by, int32_t radius, int32_t step)
+INLINE lanes across_some(const int16_t *src, const bell_weights *by, int32_t radius, int32_t step)
 {
-    __m128i sum = _mm_mulhrs_epi16(load16(src), by->w[0]);
+    lanes sum = V(mulhrs_epi16)(load_lanes(src), by->w[0]);
 #pragma GCC unroll 8
     for (int32_t k = 1; k <= radius; k++) {
-        __m128i pair = _mm_add_epi16(load16(src - k * step), load16(src + k * step));
-        sum = _mm_add_epi16(sum, _mm_mulhrs_epi16(pair, by->w[k]));
+        lanes pair = V(add_epi16)(load_lanes(src - k * step), load_lanes(src + k * step));
+        sum = V(add_epi16)(sum, V(mulhrs_epi16)(pair, by->w[k]));
     }
     return sum;
 }
@@ -83,33 +80,34 @@ void iris_row_bell_across_sse(int16_t *dst, const int16_t *src, const int16_t *w
                               int32_t step, int32_t n)
 {
     const bell_weights by = spread(weights, radius);
-    for (; n >= 8; n -= 8, dst += 8, src += 8) {
-        store16(dst, across_8(src, &by, radius, step));
+    for (; n >= LANES / 2; n -= LANES / 2, dst += LANES / 2, src += LANES / 2) {
+        store_lanes(dst, across_some(src, &by, radius, step));
     }
     iris_row_bell_across_c(dst, src, weights, radius, step, n);
 }
 
-INLINE __m128i to_bytes(__m128i first, __m128i second)
+INLINE lanes to_bytes(lanes first, lanes second)
 {
-    const __m128i half = _mm_set1_epi16(32);
-    return _mm_packus_epi16(_mm_srli_epi16(_mm_add_epi16(first, half), 6),
-                            _mm_srli_epi16(_mm_add_epi16(second, half), 6));
+    const lanes half = V(set1_epi16)(32);
+    return in_order(V(packus_epi16)(V(srli_epi16)(V(add_epi16)(first, half), 6),
+                                    V(srli_epi16)(V(add_epi16)(second, half), 6)));
 }
 
 INLINE void across_u8(uint8_t *dst, const int16_t *src, const bell_weights by, int32_t radius, int32_t step,
                       int32_t n)
 {
-    for (int32_t i = 0; i < n; i += 16) {
-        int32_t at = i < n - 16 ? i : n - 16;
-        store16(dst + at,
-                to_bytes(across_8(src + at, &by, radius, step), across_8(src + at + 8, &by, radius, step)));
+    for (int32_t i = 0; i < n; i += LANES) {
+        int32_t at = i < n - LANES ? i : n - LANES;
+        lanes first = across_some(src + at, &by, radius, step);
+        lanes second = across_some(src + at + LANES / 2, &by, radius, step);
+        store_lanes(dst + at, to_bytes(first, second));
     }
 }
 
 void iris_row_bell_across_u8_sse(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                                  int32_t step, int32_t n)
 {
-    if (n < 16) {
+    if (n < LANES) {
         iris_row_bell_across_u8_c(dst, src, weights, radius, step, n);
         return;
     }

@@ -1,75 +1,163 @@
 /* Edges: gradients, their sizes against limits, and where they are greatest. */
-#include "vector.h"
+#include "lanes.h"
 
-static inline __m128i wide8(const uint8_t *from)
+/* 16 bits each of every second byte of a row, from an even one and from an odd one on. Work is done on these: they cost
+ * no shuffles. */
+typedef struct {
+    lanes even, odd;
+} halves;
+
+INLINE halves split(const uint8_t *from)
 {
-    return _mm_cvtepu8_epi16(_mm_loadl_epi64((const __m128i *)from));
+    lanes bytes = load_lanes(from);
+    return (halves){VSI(and)(bytes, V(set1_epi16)(255)), V(srli_epi16)(bytes, 8)};
 }
 
-/* The sum of three differences, and of the middle one what `more` (times 256) says; 0x8000 stands for all of it. */
-static inline __m128i weigh(__m128i one, __m128i middle, __m128i other, __m128i more, int is_sobel)
-{
-    __m128i extra = is_sobel ? middle : _mm_mulhrs_epi16(middle, more);
-    return _mm_add_epi16(_mm_add_epi16(one, other), _mm_add_epi16(middle, extra));
-}
+/* Columns of three rows, every second one: the first vector from pixel i - 1 on, the next from i, i + 1, and i + 2. */
+typedef struct {
+    lanes sum[4], here[4],
+        down[4]; /* of all three; the middle one; what the lowest is more than the upper one */
+} columns;
 
-/* Eight pixels from i on. */
-static inline void gradient_8(const iris_row_gradient *to, const uint8_t *const rows[3], __m128i more,
-                              int is_sobel, int32_t i)
+INLINE columns columns_at(const uint8_t *const rows[3], int32_t i)
 {
-    const uint8_t *above = rows[0] + i, *here = rows[1] + i, *below = rows[2] + i;
-    __m128i above_left = wide8(above - 1), above_right = wide8(above + 1);
-    __m128i below_left = wide8(below - 1), below_right = wide8(below + 1);
-    __m128i dx =
-        weigh(_mm_sub_epi16(above_right, above_left), _mm_sub_epi16(wide8(here + 1), wide8(here - 1)),
-              _mm_sub_epi16(below_right, below_left), more, is_sobel);
-    __m128i dy = weigh(_mm_sub_epi16(below_left, above_left), _mm_sub_epi16(wide8(below), wide8(above)),
-                       _mm_sub_epi16(below_right, above_right), more, is_sobel);
-    store16(to->dx + i, dx);
-    store16(to->dy + i, dy);
-    store16(to->size + i, _mm_add_epi16(_mm_abs_epi16(dx), _mm_abs_epi16(dy)));
-}
-
-static inline void gradient(const iris_row_gradient *to, const uint8_t *const rows[3], __m128i more,
-                            int is_sobel, int32_t n)
-{
-    for (int32_t i = 0; i + 8 <= n; i += 8) {
-        gradient_8(to, rows, more, is_sobel, i);
+    columns c;
+#pragma GCC unroll 2
+    for (int side = 0; side < 2; side++) {
+        int32_t from = i - 1 + 2 * side;
+        halves above = split(rows[0] + from), here = split(rows[1] + from), below = split(rows[2] + from);
+        c.here[2 * side] = here.even;
+        c.here[2 * side + 1] = here.odd;
+        c.down[2 * side] = V(sub_epi16)(below.even, above.even);
+        c.down[2 * side + 1] = V(sub_epi16)(below.odd, above.odd);
+        c.sum[2 * side] = V(add_epi16)(V(add_epi16)(above.even, here.even), below.even);
+        c.sum[2 * side + 1] = V(add_epi16)(V(add_epi16)(above.odd, here.odd), below.odd);
     }
-    gradient_8(to, rows, more, is_sobel, n - 8);
+    return c;
 }
 
-/* The last eight pixels may be some that were done before. */
+/* What the middle difference counts beyond once; `more` holds 256 times its share, where it is not all of it. */
+INLINE lanes extra(lanes middle, lanes more, int is_sobel)
+{
+    return is_sobel ? middle : V(mulhrs_epi16)(middle, more);
+}
+
+/* The pixels between columns k and k + 2. */
+INLINE lanes dx_of(const columns *c, int k, lanes more, int is_sobel)
+{
+    return V(add_epi16)(V(sub_epi16)(c->sum[k + 2], c->sum[k]),
+                        extra(V(sub_epi16)(c->here[k + 2], c->here[k]), more, is_sobel));
+}
+
+INLINE lanes dy_of(const columns *c, int k, lanes more, int is_sobel)
+{
+    return V(add_epi16)(V(add_epi16)(c->down[k], c->down[k + 2]),
+                        V(add_epi16)(c->down[k + 1], extra(c->down[k + 1], more, is_sobel)));
+}
+
+INLINE lanes size_of(lanes dx, lanes dy)
+{
+    return V(add_epi16)(V(abs_epi16)(dx), V(abs_epi16)(dy));
+}
+
+INLINE void store_both(int16_t *to, lanes even, lanes odd)
+{
+    store_halves(to, V(unpacklo_epi16)(even, odd), V(unpackhi_epi16)(even, odd));
+}
+
+/* The last pixels may be some that were done before: so in all kernels here. */
+INLINE void gradient(const iris_row_gradient *to, const uint8_t *const rows[3], lanes more, int is_sobel,
+                     int32_t n)
+{
+    for (int32_t start = 0; start < n; start += LANES) {
+        int32_t i = start < n - LANES ? start : n - LANES;
+        const columns c = columns_at(rows, i);
+        lanes dx = dx_of(&c, 0, more, is_sobel), dx_odd = dx_of(&c, 1, more, is_sobel);
+        lanes dy = dy_of(&c, 0, more, is_sobel), dy_odd = dy_of(&c, 1, more, is_sobel);
+        store_both(to->dx + i, dx, dx_odd);
+        store_both(to->dy + i, dy, dy_odd);
+        store_both(to->size + i, size_of(dx, dy), size_of(dx_odd, dy_odd));
+    }
+}
+
 void iris_row_gradient_u8_sse(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
                               int32_t n)
 {
-    if (n < 8) {
+    if (n < LANES) {
         iris_row_gradient_u8_c(to, rows, more, n);
     } else if (more == 128) {
-        gradient(to, rows, _mm_setzero_si128(), 1, n);
+        gradient(to, rows, VSI(setzero)(), 1, n);
     } else {
-        gradient(to, rows, _mm_set1_epi16((int16_t)(more * 256)), 0, n);
+        gradient(to, rows, V(set1_epi16)((int16_t)(more * 256)), 0, n);
     }
 }
 
-static inline __m128i laplacian_8(const uint8_t *const rows[3], int32_t i)
+/* A gain that is even: a whole number, and half of its fraction. */
+typedef struct {
+    lanes whole, half;
+} even_gain;
+
+INLINE even_gain spread_gain(uint32_t gain_q16)
 {
-    __m128i upright = _mm_add_epi16(wide8(rows[0] + i), wide8(rows[2] + i));
-    __m128i level = _mm_add_epi16(wide8(rows[1] + i - 1), wide8(rows[1] + i + 1));
-    return _mm_sub_epi16(_mm_add_epi16(upright, level), _mm_slli_epi16(wide8(rows[1] + i), 2));
+    return (even_gain){V(set1_epi16)((int16_t)(gain_q16 >> 16)),
+                       V(set1_epi16)((int16_t)((gain_q16 & 0xffffu) >> 1))};
 }
 
-/* The last eight pixels may be some that were done before. */
-void iris_row_laplacian_u8_sse(int16_t *dst, const uint8_t *const rows[3], int32_t n)
+/* Bytes of sizes below 2048, so that times 16 they fit 16 bits. */
+INLINE lanes levels(lanes even, lanes odd, const even_gain *by)
 {
-    if (n < 8) {
-        iris_row_laplacian_u8_c(dst, rows, n);
+    const lanes white = V(set1_epi16)(255);
+    even = V(add_epi16)(V(mullo_epi16)(even, by->whole), V(mulhrs_epi16)(even, by->half));
+    odd = V(add_epi16)(V(mullo_epi16)(odd, by->whole), V(mulhrs_epi16)(odd, by->half));
+    return VSI(or)(V(min_epi16)(even, white), V(slli_epi16)(V(min_epi16)(odd, white), 8));
+}
+
+INLINE void gradient_gain(uint8_t *dst, const uint8_t *const rows[3], lanes more, int is_sobel,
+                          uint32_t gain_q16, int32_t n)
+{
+    const even_gain by = spread_gain(gain_q16);
+    for (int32_t start = 0; start < n; start += LANES) {
+        int32_t i = start < n - LANES ? start : n - LANES;
+        const columns c = columns_at(rows, i);
+        lanes even = size_of(dx_of(&c, 0, more, is_sobel), dy_of(&c, 0, more, is_sobel));
+        lanes odd = size_of(dx_of(&c, 1, more, is_sobel), dy_of(&c, 1, more, is_sobel));
+        store_lanes(dst + i, levels(even, odd, &by));
+    }
+}
+
+void iris_row_gradient_gain_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t more,
+                                   uint32_t gain_q16, int32_t n)
+{
+    if (n < LANES || gain_q16 % 2 != 0) {
+        iris_row_gradient_gain_u8_c(dst, rows, more, gain_q16, n);
+    } else if (more == 128) {
+        gradient_gain(dst, rows, VSI(setzero)(), 1, gain_q16, n);
+    } else {
+        gradient_gain(dst, rows, V(set1_epi16)((int16_t)(more * 256)), 0, gain_q16, n);
+    }
+}
+
+INLINE lanes bend(lanes above, lanes below, lanes left, lanes right, lanes here)
+{
+    lanes around = V(add_epi16)(V(add_epi16)(above, below), V(add_epi16)(left, right));
+    return V(abs_epi16)(V(sub_epi16)(around, V(slli_epi16)(here, 2)));
+}
+
+void iris_row_laplacian_gain_u8_sse(uint8_t *dst, const uint8_t *const rows[3], uint32_t gain_q16, int32_t n)
+{
+    if (n < LANES || gain_q16 % 2 != 0) {
+        iris_row_laplacian_gain_u8_c(dst, rows, gain_q16, n);
         return;
     }
-    for (int32_t i = 0; i + 8 <= n; i += 8) {
-        store16(dst + i, laplacian_8(rows, i));
+    const even_gain by = spread_gain(gain_q16);
+    for (int32_t start = 0; start < n; start += LANES) {
+        int32_t i = start < n - LANES ? start : n - LANES;
+        halves above = split(rows[0] + i), below = split(rows[2] + i);
+        halves left = split(rows[1] + i - 1), right = split(rows[1] + i + 1);
+        lanes even = bend(above.even, below.even, left.even, right.even, left.odd);
+        lanes odd = bend(above.odd, below.odd, left.odd, right.odd, right.even);
+        store_lanes(dst + i, levels(even, odd, &by));
     }
-    store16(dst + n - 8, laplacian_8(rows, n - 8));
 }
 
 typedef struct {

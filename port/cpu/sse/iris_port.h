@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 44
+#define IRIS_PORT_OVERRIDES 43
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -37,6 +37,9 @@ void iris_row_above_mean_u8_sse(uint32_t *mask, const uint8_t *src, const uint32
 
 void iris_row_hsl_range_sse(uint32_t *mask, const uint8_t *rgb, const iris_hsl_range_test *test, int32_t n);
 #define iris_row_hsl_range iris_row_hsl_range_sse
+
+void iris_row_hsl24_888_sse(uint8_t *dst, const uint8_t *src, int32_t red, int32_t n);
+#define iris_row_hsl24_888 iris_row_hsl24_888_sse
 
 void iris_row_median9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
 #define iris_row_median9_u8 iris_row_median9_u8_sse
@@ -100,6 +103,13 @@ void iris_row_gradient_u8_sse(const iris_row_gradient *to, const uint8_t *const 
                               int32_t n);
 #define iris_row_gradient_u8 iris_row_gradient_u8_sse
 
+void iris_row_gradient_gain_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t more,
+                                   uint32_t gain_q16, int32_t n);
+#define iris_row_gradient_gain_u8 iris_row_gradient_gain_u8_sse
+
+void iris_row_laplacian_gain_u8_sse(uint8_t *dst, const uint8_t *const rows[3], uint32_t gain_q16, int32_t n);
+#define iris_row_laplacian_gain_u8 iris_row_laplacian_gain_u8_sse
+
 void iris_row_gain_s16_sse(uint8_t *dst, const int16_t *size, uint32_t gain_q16, int32_t n);
 #define iris_row_gain_s16 iris_row_gain_s16_sse
 
@@ -134,20 +144,6 @@ void iris_row_taps_u8_sse(int32_t *sums, const iris_row_tap *taps, int32_t count
 void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t count,
                             const iris_row_quotient *quotient, int32_t n);
 #define iris_row_filter_u8 iris_row_filter_u8_sse
-
-void iris_row_settle_u8_sse(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n);
-#define iris_row_settle_u8 iris_row_settle_u8_sse
-
-void iris_row_taps_s32_sse(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
-                           int32_t step, int32_t n);
-#define iris_row_taps_s32 iris_row_taps_s32_sse
-
-void iris_row_filter_s32_sse(uint8_t *dst, const int32_t *src, const iris_row_line *line,
-                             const iris_row_quotient *quotient, int32_t n);
-#define iris_row_filter_s32 iris_row_filter_s32_sse
-
-void iris_row_laplacian_u8_sse(int16_t *dst, const uint8_t *const rows[3], int32_t n);
-#define iris_row_laplacian_u8 iris_row_laplacian_u8_sse
 
 void iris_row_crossings_s16_sse(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n);
 #define iris_row_crossings_s16 iris_row_crossings_s16_sse

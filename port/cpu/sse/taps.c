@@ -122,24 +122,6 @@ void iris_row_taps_u8_sse(int32_t *sums, const iris_row_tap *taps, int32_t count
     }
 }
 
-void iris_row_taps_s32_sse(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
-                           int32_t step, int32_t n)
-{
-    int32_t i = 0;
-    for (; i + 8 <= n; i += 8) {
-        __m128i first = load16(sums + i), second = load16(sums + i + 4);
-        const int32_t *at = src + i;
-        for (int32_t k = 0; k < count; k++, at += step) {
-            __m128i weight = _mm_set1_epi32(weights[k]);
-            first = _mm_add_epi32(first, _mm_mullo_epi32(load16(at), weight));
-            second = _mm_add_epi32(second, _mm_mullo_epi32(load16(at + 4), weight));
-        }
-        store16(sums + i, first);
-        store16(sums + i + 4, second);
-    }
-    iris_row_taps_s32_c(sums + i, src + i, weights, count, step, n - i);
-}
-
 /* How to divide: by a shift; by a factor of 16 bits, where that is exact for all sums up to 255 * divisor, which fit 16
  * bits too; or as the plain body does. */
 typedef struct {
@@ -209,21 +191,6 @@ INLINE __m128i settle_16(const __m128i given[4], const division *by, int absolut
     return _mm_packus_epi16(_mm_packs_epi32(s[0], s[1]), _mm_packs_epi32(s[2], s[3]));
 }
 
-void iris_row_settle_u8_sse(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n)
-{
-    const division by = make_division(quotient);
-    int32_t i = 0;
-    for (; i + 16 <= n; i += 16) {
-        __m128i all[4];
-#pragma GCC unroll 4
-        for (int v = 0; v < 4; v++) {
-            all[v] = load16(sums + i + 4 * v);
-        }
-        store16(dst + i, settle_16(all, &by, quotient->absolute));
-    }
-    iris_row_settle_u8_c(dst + i, sums + i, quotient, n - i);
-}
-
 /* 16 sums of 16 bits to bytes. */
 INLINE __m128i settle_narrow(__m128i low, __m128i high, const division *by, int32_t divisor, int absolute)
 {
@@ -289,30 +256,5 @@ void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t coun
         __m128i all[4] = {start, start, start, start};
         add_all(all, &plan, at);
         store16(dst + at, settle_16(all, &by, quotient->absolute));
-    }
-}
-
-/* The last pixels of a row come again, where it is no multiple of 16. */
-void iris_row_filter_s32_sse(uint8_t *dst, const int32_t *src, const iris_row_line *line,
-                             const iris_row_quotient *quotient, int32_t n)
-{
-    if (n < 16) {
-        iris_row_filter_s32_c(dst, src, line, quotient, n);
-        return;
-    }
-    const division by = make_division(quotient);
-    const __m128i start = _mm_set1_epi32(quotient->start);
-    for (int32_t i = 0; i < n; i += 16) {
-        int32_t from = i < n - 16 ? i : n - 16;
-        const int32_t *at = src + from;
-        __m128i all[4] = {start, start, start, start};
-        for (int32_t k = 0; k < line->count; k++, at += line->step) {
-            __m128i weight = _mm_set1_epi32(line->weights[k]);
-#pragma GCC unroll 4
-            for (int v = 0; v < 4; v++) {
-                all[v] = _mm_add_epi32(all[v], _mm_mullo_epi32(load16(at + 4 * v), weight));
-            }
-        }
-        store16(dst + from, settle_16(all, &by, quotient->absolute));
     }
 }
