@@ -57,8 +57,8 @@ typedef struct {
     int32_t weight;
 } iris_row_tap;
 
-/* The most taps of one call. */
-#define IRIS_ROW_TAPS 32
+/* The most taps of one call: a window of 7x7. */
+#define IRIS_ROW_TAPS 49
 
 /* From sums to bytes: n / divisor, rounded down, 0 to 255. Of n below 0 that is 0, or with `absolute` minus the
  * quotient, (divisor - 1 - n) / divisor, which does not overflow. Where n is at most 255 * divisor, the quotient is n

@@ -109,7 +109,7 @@ static void row_in_two_passes(const iris_convolution *work, int32_t first, int32
 {
     int32_t channels = work->rows.channels, sums[TILE];
     int32_t left = work->rows.window.left * channels, right = work->rows.window.right * channels;
-    iris_row_tap taps[IRIS_ROW_TAPS];
+    iris_row_tap taps[IRIS_KERNEL_SIDE_MAX];
     int32_t count = 0;
     for (int32_t r = 0; r < work->h; r++) {
         taps[count] = (iris_row_tap){iris_rows_at(&work->rows, r - work->rows.window.above) + first - left,

@@ -1,9 +1,9 @@
 /* Kernels of weighted sums. */
 #include "kernels.h"
 
-enum { TAPS = 9 }; /* rows; taps share them */
+enum { TAPS = 9, BESIDE = 3 }; /* rows; taps share them. Pixels on both sides that taps reach */
 
-static int32_t count, step;
+static int32_t count, step, run; /* taps of a run lie side by side */
 static int32_t weights[IRIS_ROW_TAPS];
 static iris_row_quotient quotient;
 
@@ -29,7 +29,8 @@ static void choose(void)
     int32_t same = (int32_t)random_below(4);
     choose_quotient();
     step = random_below(2) ? 1 : 3;
-    count = 1 + (int32_t)random_below(IRIS_ROW_TAPS);
+    run = 1 + (int32_t)random_below(2 * BESIDE + 1);
+    count = random_below(4) ? 1 + (int32_t)random_below(IRIS_ROW_TAPS) : run * run;
     for (int32_t k = 0; k < count; k++) {
         int32_t most = limit < rest ? limit : rest;
         int32_t size = same == 0 ? most : (int32_t)random_below((uint32_t)most + 1);
@@ -77,7 +78,7 @@ static int32_t more_taps(void)
 static void set_taps(iris_row_tap taps[IRIS_ROW_TAPS], uint8_t **rows)
 {
     for (int32_t k = 0; k < count; k++) {
-        taps[k] = (iris_row_tap){rows[1 + k % TAPS], weights[k]};
+        taps[k] = (iris_row_tap){rows[1 + k / run % TAPS] + k % run - run / 2, weights[k]};
     }
 }
 
@@ -112,7 +113,8 @@ static void run_filter_s32(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_filter_s32)(rows[0], (int32_t *)(void *)rows[1], &line, &quotient, n);
 }
 
-#define NINE ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8, ROW_U8
+#define ROW_T ROW_U8_AROUND(BESIDE, BESIDE)
+#define NINE  ROW_T, ROW_T, ROW_T, ROW_T, ROW_T, ROW_T, ROW_T, ROW_T, ROW_T
 
 static const kernel_case cases[] = {
     {KERNEL(iris_row_taps_u8), run_taps, choose, {ROW(1, 4, 4, fill_sums), NINE}},
@@ -146,7 +148,7 @@ static void truth_of_taps(void **state)
             }
         }
         count = 3;
-        step = 1;
+        run = step = 1;
         weights[0] = 1;
         weights[1] = -2;
         weights[2] = 300;
@@ -169,6 +171,7 @@ static void truth_of_filter(void **state)
         memset(row[0], 10, N);
         memset(row[1], 21, N);
         count = 2;
+        run = 1;
         weights[0] = 1;
         for (int absolute = 0; absolute < 2; absolute++) {
             quotient = (iris_row_quotient){2, 4, (uint32_t)1 << 31, 33, absolute};
@@ -177,6 +180,42 @@ static void truth_of_filter(void **state)
                 run_filter(plain, rows, N);
                 for (int i = 0; i < N; i++) {
                     assert_int_equal(out[i], sign > 0 ? 18 : absolute ? 13 : 0);
+                }
+            }
+        }
+    }
+}
+
+/* Windows of 3x3, 5x5, and 7x7 on a slope of 2 to the right: weights that rise by 1 along a row, 3 in the middle, look a
+ * little to the right. And 200 times as much, in more bits. */
+static void truth_of_windows(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        uint8_t out[N], slope[N + 2 * BESIDE], *rows[1 + TAPS] = {out};
+        for (int i = 0; i < N + 2 * BESIDE; i++) {
+            slope[i] = (uint8_t)(40 + 2 * i);
+        }
+        for (int r = 0; r < TAPS; r++) {
+            rows[1 + r] = slope + BESIDE;
+        }
+        for (run = 3; run <= 7; run += 2) {
+            for (int scale = 1; scale <= 200; scale += 199) {
+                int reach = run / 2, sum = 3 * run * run * scale, moments = 0, shift = 31;
+                count = run * run;
+                for (int k = 0; k < count; k++) {
+                    weights[k] = scale * (3 + k % run - reach);
+                    moments += weights[k] * 2 * (k % run - reach);
+                }
+                for (; sum >> (shift - 30) != 0; shift++) {
+                }
+                quotient = (iris_row_quotient){
+                    sum / 2, sum, (uint32_t)((((uint64_t)1 << shift) + (uint32_t)sum - 1) / (uint32_t)sum),
+                    shift, 0};
+                run_filter(plain, rows, N);
+                for (int i = 0; i < N; i++) {
+                    assert_int_equal(out[i], (slope[i + BESIDE] * sum + moments + sum / 2) / sum);
                 }
             }
         }
@@ -238,9 +277,8 @@ static void truth_of_settle(void **state)
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_taps),
-        cmocka_unit_test(truth_of_filter),
-        cmocka_unit_test(truth_of_filter_s32),
+        cmocka_unit_test(truth_of_taps),    cmocka_unit_test(truth_of_filter),
+        cmocka_unit_test(truth_of_windows), cmocka_unit_test(truth_of_filter_s32),
         cmocka_unit_test(truth_of_settle),
     };
     return cmocka_run_group_tests_name("kernels of taps", tests, NULL, NULL);

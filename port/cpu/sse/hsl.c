@@ -1,159 +1,129 @@
-/* Colors against a range of hue, saturation, and lightness, 16 pixels at a time.
+/* Colors against a range of hue, saturation, and lightness.
  *
  * The plain body compares 60 hue / C with h0 and h1. Here the hue is one of four pieces, each a base angle (0, 120,
  * 240, or 360 degrees) and a signed rest d / C within -1 to 1 of 60 degrees: 60 d >= (h0 - base) C, where a bound
- * outside -60..60 acts as -61 or 61. All factors then fit a signed byte and all sums of two products a signed word. */
-#include "vector.h"
+ * outside -60..60 acts as -61 or 61. |d| is what the middle channel is more than the least one. All factors then fit a
+ * signed byte and all sums of two products a signed word, of which the sign is what is asked for. */
+#include "planes.h"
+
+/* By the order of the channels: bit 0 is r >= g, bit 1 r >= b, bit 2 g >= b. */
+typedef struct {
+    lanes sixty;  /* 60 with the sign of d */
+    lanes h0, h1; /* -(h0 - base) and h1 - base */
+} hue_tables;
 
 typedef struct {
-    __m128i r, g, b;
-} channels;
-
-/* A bound of the hue within each piece, in degrees from its base. */
-typedef struct {
-    __m128i red, green, blue, below_red;
-} hue_bound;
-
-typedef struct {
-    hue_bound h0, h1;
-    __m128i s0, s1;     /* bytes 100 and -bound: factors of C and of the chroma that S = 1 has */
-    __m128i l0, l1;     /* words */
-    __m128i chroma_min; /* bytes */
-    __m128i no_gray;    /* all ones: no gray belongs to the hues; else zero */
-    __m128i no_wrap;    /* all ones: both bounds of the hue must hold; zero: one */
+    hue_tables hue;
+    lanes s0, s1;     /* pairs of bytes: factors of C and of the chroma that S = 1 has */
+    lanes dark[2];    /* the least and the most of max + min, up to 255 */
+    lanes bright[2];  /* and of 510 - max - min */
+    lanes chroma_min; /* 1 where no gray is in the range */
+    lanes no_wrap;    /* all ones: both bounds of the hue must hold; zero: one */
 } range_vectors;
 
-static inline __m128i choose(__m128i condition, __m128i yes, __m128i no)
+static inline int32_t within(int32_t value, int32_t most)
 {
-    return _mm_blendv_epi8(no, yes, condition);
+    return value > most ? most : value < -most ? -most : value;
 }
 
-static inline __m128i bound_from(int32_t degrees)
+static lanes spread_table(const int8_t table[8])
 {
-    return _mm_set1_epi8((char)(degrees > 61 ? 61 : degrees < -61 ? -61 : degrees));
+    __m128i once = _mm_loadl_epi64((const __m128i *)(const void *)table);
+#ifdef __AVX2__
+    return _mm256_broadcastsi128_si256(once);
+#else
+    return once;
+#endif
 }
 
-static inline hue_bound hue_bound_from(int32_t degrees)
+static hue_tables tables_from(const iris_hsl_range_test *test)
 {
-    hue_bound bound = {bound_from(degrees), bound_from(degrees - 120), bound_from(degrees - 240),
-                       bound_from(degrees - 360)};
-    return bound;
+    int8_t sixty[8], h0[8], h1[8];
+    for (int order = 0; order < 8; order++) {
+        int red = (order & 3) == 3, g_to_b = order >> 2;
+        int turned_up = red ? g_to_b : g_to_b ? !(order & 2) : order & 1;
+        int32_t base = red ? (g_to_b ? 0 : 360) : g_to_b ? 120 : 240;
+        sixty[order] = (int8_t)(turned_up ? 60 : -60);
+        h0[order] = (int8_t)within(base - test->h0, 61);
+        h1[order] = (int8_t)within(test->h1 - base, 61);
+    }
+    return (hue_tables){spread_table(sixty), spread_table(h0), spread_table(h1)};
 }
 
-static inline __m128i bytes_pair(int32_t even, int32_t odd)
+static inline lanes byte_of(int32_t value)
 {
-    return _mm_set1_epi16((short)((even & 0xff) | odd * 256));
+    return V(set1_epi8)((char)(value < 255 ? value : 255));
+}
+
+static inline lanes bytes_pair(int32_t even, int32_t odd)
+{
+    return V(set1_epi16)((short)((even & 0xff) | odd * 256));
 }
 
 static inline range_vectors vectors_from(const iris_hsl_range_test *test)
 {
-    range_vectors range = {.h0 = hue_bound_from(test->h0),
-                           .h1 = hue_bound_from(test->h1),
+    return (range_vectors){.hue = tables_from(test),
                            .s0 = bytes_pair(100, -test->s0),
-                           .s1 = bytes_pair(100, -test->s1),
-                           .l0 = _mm_set1_epi16((short)test->l0),
-                           .l1 = _mm_set1_epi16((short)test->l1),
-                           .chroma_min = _mm_set1_epi8((char)test->chroma_min),
-                           .no_gray = _mm_set1_epi8((char)-(test->hue_has_gray == 0)),
-                           .no_wrap = _mm_set1_epi8((char)-(test->hue_wraps == 0))};
-    return range;
+                           .s1 = bytes_pair(-100, test->s1),
+                           .dark = {byte_of(test->l0), byte_of(test->l1)},
+                           .bright = {byte_of(510 - test->l1), byte_of(510 - test->l0)},
+                           .chroma_min = byte_of(test->chroma_min > 0 || !test->hue_has_gray),
+                           .no_wrap = V(set1_epi8)((char)-(test->hue_wraps == 0))};
 }
 
-/* Three vectors of five pixels and a third each to three channels: every byte has its place in one of them. */
-static inline channels load_channels(const uint8_t *rgb)
+/* Two bytes each times two factors, as bytes of the same sign. */
+INLINE lanes signs_of(lanes low, lanes high, lanes low_factors, lanes high_factors)
 {
-    __m128i a = load16(rgb), b = load16(rgb + 16), c = load16(rgb + 32);
-#define PART(vector, ...) _mm_shuffle_epi8(vector, _mm_setr_epi8(__VA_ARGS__))
-    channels pixels = {
-        _mm_or_si128(PART(a, 0, 3, 6, 9, 12, 15, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1),
-                     _mm_or_si128(PART(b, -1, -1, -1, -1, -1, -1, 2, 5, 8, 11, 14, -1, -1, -1, -1, -1),
-                                  PART(c, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 1, 4, 7, 10, 13))),
-        _mm_or_si128(PART(a, 1, 4, 7, 10, 13, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1),
-                     _mm_or_si128(PART(b, -1, -1, -1, -1, -1, 0, 3, 6, 9, 12, 15, -1, -1, -1, -1, -1),
-                                  PART(c, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 2, 5, 8, 11, 14))),
-        _mm_or_si128(PART(a, 2, 5, 8, 11, 14, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1),
-                     _mm_or_si128(PART(b, -1, -1, -1, -1, -1, 1, 4, 7, 10, 13, -1, -1, -1, -1, -1, -1),
-                                  PART(c, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 3, 6, 9, 12, 15)))};
-#undef PART
-    return pixels;
+    return V(packs_epi16)(V(maddubs_epi16)(low, low_factors), V(maddubs_epi16)(high, high_factors));
 }
 
-/* Products of the bytes of a and b with the even and odd bytes of factors, in pairs: the first and the last 8 sums. */
-typedef struct {
-    __m128i low, high;
-} sums;
-
-static inline sums sums_of(__m128i a, __m128i b, __m128i factors)
+/* Negative where the hue is outside; of gray nothing is. */
+INLINE lanes misses_hue(planes p, lanes rest, lanes chroma, const range_vectors *range)
 {
-    sums result = {_mm_maddubs_epi16(_mm_unpacklo_epi8(a, b), factors),
-                   _mm_maddubs_epi16(_mm_unpackhi_epi8(a, b), factors)};
-    return result;
+    lanes order = join(VSI(and)(V(cmpeq_epi8)(V(max_epu8)(p.r, p.g), p.r), V(set1_epi8)(1)),
+                       VSI(and)(V(cmpeq_epi8)(V(max_epu8)(p.r, p.b), p.r), V(set1_epi8)(2)),
+                       VSI(and)(V(cmpeq_epi8)(V(max_epu8)(p.g, p.b), p.g), V(set1_epi8)(4)));
+    lanes sixty = V(shuffle_epi8)(range->hue.sixty, order);
+    lanes minus_sixty = V(sub_epi8)(VSI(setzero)(), sixty);
+    lanes h0 = V(shuffle_epi8)(range->hue.h0, order), h1 = V(shuffle_epi8)(range->hue.h1, order);
+    lanes low = V(unpacklo_epi8)(rest, chroma), high = V(unpackhi_epi8)(rest, chroma);
+    lanes before = signs_of(low, high, V(unpacklo_epi8)(sixty, h0), V(unpackhi_epi8)(sixty, h0));
+    lanes behind = signs_of(low, high, V(unpacklo_epi8)(minus_sixty, h1), V(unpackhi_epi8)(minus_sixty, h1));
+    return VSI(or)(VSI(and)(before, behind), VSI(and)(VSI(or)(before, behind), range->no_wrap));
 }
 
-/* a * factors, where factors are signed bytes. */
-static inline sums products_of(__m128i a, __m128i factors)
+/* Not 0 where a byte is outside of two bounds. */
+INLINE lanes beyond(lanes value, const lanes bounds[2])
 {
-    const __m128i zero = _mm_setzero_si128();
-    sums result = {_mm_maddubs_epi16(_mm_unpacklo_epi8(a, zero), _mm_unpacklo_epi8(factors, zero)),
-                   _mm_maddubs_epi16(_mm_unpackhi_epi8(a, zero), _mm_unpackhi_epi8(factors, zero))};
-    return result;
+    return VSI(or)(V(subs_epu8)(bounds[0], value), V(subs_epu8)(value, bounds[1]));
 }
 
-/* Bytes that are all ones where a > b. */
-static inline __m128i greater(sums a, sums b)
+/* Bits of the pixels that are in the range. */
+INLINE uint32_t in_range(const uint8_t *rgb, const range_vectors *range)
 {
-    return _mm_packs_epi16(_mm_cmpgt_epi16(a.low, b.low), _mm_cmpgt_epi16(a.high, b.high));
+    const lanes ones = V(set1_epi8)(-1);
+    planes p = load_pixels(rgb);
+    lanes more = V(max_epu8)(p.r, p.g), less = V(min_epu8)(p.r, p.g);
+    lanes max = V(max_epu8)(more, p.b), min = V(min_epu8)(less, p.b);
+    lanes middle = V(max_epu8)(less, V(min_epu8)(more, p.b)), chroma = V(sub_epi8)(max, min);
+    /* the chroma that a fully saturated color of this lightness has is the lesser of these */
+    lanes dark = V(adds_epu8)(max, min), bright = V(adds_epu8)(VSI(xor)(max, ones), VSI(xor)(min, ones));
+    lanes limit = V(min_epu8)(dark, bright);
+    lanes low = V(unpacklo_epi8)(chroma, limit), high = V(unpackhi_epi8)(chroma, limit);
+    lanes signs = join(signs_of(low, high, range->s0, range->s0), signs_of(low, high, range->s1, range->s1),
+                       misses_hue(p, V(sub_epi8)(middle, min), chroma, range));
+    lanes out = join(beyond(dark, range->dark), beyond(bright, range->bright),
+                     V(subs_epu8)(range->chroma_min, chroma));
+    return (uint32_t)V(movemask_epi8)(VSI(andnot)(signs, V(cmpeq_epi8)(out, VSI(setzero)())));
 }
 
-static inline sums constant(__m128i words)
+INLINE uint32_t in_range_32(const uint8_t *rgb, const range_vectors *range)
 {
-    sums result = {words, words};
-    return result;
-}
-
-/* All ones where the hue is outside, for pixels that are not gray. */
-static inline __m128i misses_hue(channels p, __m128i max, __m128i chroma, const range_vectors *range)
-{
-    __m128i red = _mm_cmpeq_epi8(max, p.r);
-    __m128i green = _mm_andnot_si128(red, _mm_cmpeq_epi8(max, p.g));
-    __m128i plus = choose(red, p.g, choose(green, p.b, p.r));
-    __m128i minus = choose(red, p.b, choose(green, p.r, p.g));
-    __m128i below_red = _mm_andnot_si128(_mm_cmpeq_epi8(_mm_max_epu8(plus, minus), plus), red);
-    const hue_bound *h0 = &range->h0, *h1 = &range->h1;
-    __m128i first = choose(red, h0->red, choose(green, h0->green, h0->blue));
-    __m128i last = choose(red, h1->red, choose(green, h1->green, h1->blue));
-    sums rest = sums_of(plus, minus, bytes_pair(60, -60));
-    __m128i before = greater(products_of(chroma, choose(below_red, h0->below_red, first)), rest);
-    __m128i behind = greater(rest, products_of(chroma, choose(below_red, h1->below_red, last)));
-    return _mm_or_si128(_mm_and_si128(before, behind),
-                        _mm_and_si128(_mm_or_si128(before, behind), range->no_wrap));
-}
-
-/* All ones where the pixel is outside the range. */
-static inline __m128i misses_16(const uint8_t *rgb, const range_vectors *range)
-{
-    const __m128i zero = _mm_setzero_si128(), ones = _mm_set1_epi8(-1);
-    channels p = load_channels(rgb);
-    __m128i max = _mm_max_epu8(_mm_max_epu8(p.r, p.g), p.b);
-    __m128i min = _mm_min_epu8(_mm_min_epu8(p.r, p.g), p.b);
-    __m128i chroma = _mm_sub_epi8(max, min);
-    /* the chroma that a fully saturated color of this lightness has: max + min or 510 - (max + min) */
-    __m128i limit = _mm_min_epu8(_mm_adds_epu8(max, min),
-                                 _mm_adds_epu8(_mm_xor_si128(max, ones), _mm_xor_si128(min, ones)));
-    sums lightness = sums_of(max, min, bytes_pair(1, 1));
-    __m128i dark_or_bright =
-        _mm_or_si128(greater(constant(range->l0), lightness), greater(lightness, constant(range->l1)));
-    __m128i pale_or_vivid = _mm_or_si128(greater(constant(zero), sums_of(chroma, limit, range->s0)),
-                                         greater(sums_of(chroma, limit, range->s1), constant(zero)));
-    __m128i enough = _mm_cmpeq_epi8(_mm_max_epu8(chroma, range->chroma_min), chroma);
-    __m128i hue = choose(_mm_cmpeq_epi8(chroma, zero), range->no_gray, misses_hue(p, max, chroma, range));
-    return _mm_or_si128(_mm_or_si128(dark_or_bright, pale_or_vivid),
-                        _mm_or_si128(hue, _mm_xor_si128(enough, ones)));
-}
-
-static inline uint32_t in_range_32(const uint8_t *rgb, const range_vectors *range)
-{
-    return ~high_bits(misses_16(rgb, range), misses_16(rgb + 48, range));
+#ifdef __AVX2__
+    return in_range(rgb, range);
+#else
+    return in_range(rgb, range) | in_range(rgb + 48, range) << 16;
+#endif
 }
 
 /* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */

@@ -1,18 +1,16 @@
-/* Weighted sums of rows. Taps are taken in pairs: two samples side by side times two weights are one instruction, of
- * bytes with weights that fit a byte (NARROW), and of 16 bits (WIDE). Narrow sums stay in 16 bits as long as they
- * fit. */
-#include "vector.h"
+/* Weighted sums of rows. Where a window's sums fit 16 bits, which small weights' do, taps side by side are taken in pairs
+ * from where they lie, the sums of even and odd pixels apart. Other taps are brought side by side: two samples times
+ * two weights are one instruction, of bytes with weights that fit a byte (NARROW), and of 16 bits (WIDE). */
+#include "lanes.h"
 
-#define INLINE static inline __attribute__((always_inline))
-
-enum { UNFIT, NARROW, WIDE, PAIRS = IRIS_ROW_TAPS / 2 };
+enum { UNFIT, NARROW, WIDE, PAIRS = (IRIS_ROW_TAPS + 1) / 2 };
 
 typedef struct {
     const uint8_t *a[PAIRS], *b[PAIRS];
-    __m128i weights[PAIRS];
+    uint32_t weights[PAIRS]; /* two pairs of bytes, or a pair of 16 bits */
     int32_t pairs, kind;
-    int32_t end[PAIRS];  /* of groups of pairs whose sums fit 16 bits: 255 * 128 at most */
-    int32_t groups, sum; /* of |weights| */
+    int8_t end[PAIRS]; /* of groups of pairs whose sums fit 16 bits: 255 * 128 at most */
+    int32_t groups;
 } tap_plan;
 
 static inline int32_t size_of(int32_t weight)
@@ -26,7 +24,7 @@ static void judge(tap_plan *plan, const iris_row_tap *taps, int32_t count)
     int32_t in_group = 0, largest = 0;
     plan->kind = NARROW;
     plan->pairs = (count + 1) / 2;
-    plan->groups = plan->sum = 0;
+    plan->groups = 0;
     for (int32_t p = 0; p < plan->pairs; p++) {
         int32_t first = size_of(taps[2 * p].weight),
                 second = 2 * p + 1 < count ? size_of(taps[2 * p + 1].weight) : 0;
@@ -37,13 +35,12 @@ static void judge(tap_plan *plan, const iris_row_tap *taps, int32_t count)
             continue;
         }
         if (in_group + first + second > 128) {
-            plan->end[plan->groups++] = p;
+            plan->end[plan->groups++] = (int8_t)p;
             in_group = 0;
         }
         in_group += first + second;
-        plan->sum += first + second;
     }
-    plan->end[plan->groups++] = plan->pairs;
+    plan->end[plan->groups++] = (int8_t)plan->pairs;
     plan->kind = largest > INT16_MAX ? UNFIT : plan->kind;
 }
 
@@ -55,47 +52,54 @@ static void make_plan(tap_plan *plan, const iris_row_tap *taps, int32_t count)
         uint32_t first = (uint32_t)taps[2 * p].weight, second = paired ? (uint32_t)taps[2 * p + 1].weight : 0;
         plan->a[p] = taps[2 * p].src;
         plan->b[p] = taps[2 * p + (paired ? 1 : 0)].src;
-        plan->weights[p] = plan->kind == NARROW ? _mm_set1_epi16((int16_t)((first & 0xff) | second << 8))
-                                                : _mm_set1_epi32((int32_t)((first & 0xffff) | second << 16));
+        plan->weights[p] = plan->kind == NARROW ? ((first & 0xff) | (second & 0xff) << 8) * 0x00010001u
+                                                : (first & 0xffff) | second << 16;
     }
 }
 
-/* Adds the pairs from `first` to below `end`, of 16 pixels at i, in 16 bits. */
-INLINE void add_narrow(__m128i sums[2], const tap_plan *plan, int32_t first, int32_t end, int32_t i)
+INLINE lanes weights_of(uint32_t weights)
 {
-#pragma GCC unroll 5
+    return V(set1_epi32)((int32_t)weights);
+}
+
+/* Adds the pairs from `first` to below `end`, of the pixels from i on, in 16 bits. */
+INLINE void add_narrow(lanes sums[2], const tap_plan *plan, int32_t first, int32_t end, int32_t i)
+{
     for (int32_t p = first; p < end; p++) {
-        __m128i a = load16(plan->a[p] + i), b = load16(plan->b[p] + i);
-        sums[0] = _mm_add_epi16(sums[0], _mm_maddubs_epi16(_mm_unpacklo_epi8(a, b), plan->weights[p]));
-        sums[1] = _mm_add_epi16(sums[1], _mm_maddubs_epi16(_mm_unpackhi_epi8(a, b), plan->weights[p]));
+        lanes a = load_lanes(plan->a[p] + i), b = load_lanes(plan->b[p] + i),
+              w = weights_of(plan->weights[p]);
+        sums[0] = V(add_epi16)(sums[0], V(maddubs_epi16)(V(unpacklo_epi8)(a, b), w));
+        sums[1] = V(add_epi16)(sums[1], V(maddubs_epi16)(V(unpackhi_epi8)(a, b), w));
     }
 }
 
-INLINE void widen(__m128i sums[4], const __m128i half[2])
+INLINE void widen(lanes sums[4], const lanes half[2])
 {
 #pragma GCC unroll 4
     for (int h = 0; h < 2; h++) {
-        sums[2 * h] = _mm_add_epi32(sums[2 * h], _mm_cvtepi16_epi32(half[h]));
-        sums[2 * h + 1] = _mm_add_epi32(sums[2 * h + 1], _mm_cvtepi16_epi32(_mm_srli_si128(half[h], 8)));
+        lanes sign = V(srai_epi16)(half[h], 15);
+        sums[2 * h] = V(add_epi32)(sums[2 * h], V(unpacklo_epi16)(half[h], sign));
+        sums[2 * h + 1] = V(add_epi32)(sums[2 * h + 1], V(unpackhi_epi16)(half[h], sign));
     }
 }
 
-/* Adds all pairs, of 16 pixels at i. */
-INLINE void add_all(__m128i sums[4], const tap_plan *plan, int32_t i)
+/* Adds all pairs, of LANES pixels from i on; the sums are in the order that bytes have when they are widened twice. */
+INLINE void add_all(lanes sums[4], const tap_plan *plan, int32_t i)
 {
-    const __m128i zero = _mm_setzero_si128();
+    const lanes zero = VSI(setzero)();
     for (int32_t g = 0, p = 0; plan->kind == NARROW && g < plan->groups; p = plan->end[g++]) {
-        __m128i half[2] = {zero, zero};
+        lanes half[2] = {zero, zero};
         add_narrow(half, plan, p, plan->end[g], i);
         widen(sums, half);
     }
     for (int32_t p = 0; plan->kind == WIDE && p < plan->pairs; p++) {
-        __m128i a = load16(plan->a[p] + i), b = load16(plan->b[p] + i), w = plan->weights[p];
-        __m128i low = _mm_unpacklo_epi8(a, b), high = _mm_unpackhi_epi8(a, b);
-        sums[0] = _mm_add_epi32(sums[0], _mm_madd_epi16(_mm_unpacklo_epi8(low, zero), w));
-        sums[1] = _mm_add_epi32(sums[1], _mm_madd_epi16(_mm_unpackhi_epi8(low, zero), w));
-        sums[2] = _mm_add_epi32(sums[2], _mm_madd_epi16(_mm_unpacklo_epi8(high, zero), w));
-        sums[3] = _mm_add_epi32(sums[3], _mm_madd_epi16(_mm_unpackhi_epi8(high, zero), w));
+        lanes a = load_lanes(plan->a[p] + i), b = load_lanes(plan->b[p] + i),
+              w = weights_of(plan->weights[p]);
+        lanes low = V(unpacklo_epi8)(a, b), high = V(unpackhi_epi8)(a, b);
+        sums[0] = V(add_epi32)(sums[0], V(madd_epi16)(V(unpacklo_epi8)(low, zero), w));
+        sums[1] = V(add_epi32)(sums[1], V(madd_epi16)(V(unpackhi_epi8)(low, zero), w));
+        sums[2] = V(add_epi32)(sums[2], V(madd_epi16)(V(unpacklo_epi8)(high, zero), w));
+        sums[3] = V(add_epi32)(sums[3], V(madd_epi16)(V(unpackhi_epi8)(high, zero), w));
     }
 }
 
@@ -103,17 +107,18 @@ void iris_row_taps_u8_sse(int32_t *sums, const iris_row_tap *taps, int32_t count
 {
     tap_plan plan;
     make_plan(&plan, taps, count);
-    int32_t whole = plan.kind == UNFIT ? 0 : n / 16 * 16;
-    for (int32_t i = 0; i < whole; i += 16) {
-        __m128i all[4];
+    int32_t whole = plan.kind == UNFIT ? 0 : n / LANES * LANES;
+    for (int32_t i = 0; i < whole; i += LANES) {
+        lanes all[4];
+        uint8_t *at = (uint8_t *)(sums + i);
 #pragma GCC unroll 4
         for (int v = 0; v < 4; v++) {
-            all[v] = load16(sums + i + 4 * v);
+            all[v] = load_parts(at + 16 * v, 64);
         }
         add_all(all, &plan, i);
 #pragma GCC unroll 4
         for (int v = 0; v < 4; v++) {
-            store16(sums + i + 4 * v, all[v]);
+            store_parts(at + 16 * v, all[v], 64);
         }
     }
     for (int32_t k = 0; k < count && whole < n; k++) {
@@ -122,139 +127,206 @@ void iris_row_taps_u8_sse(int32_t *sums, const iris_row_tap *taps, int32_t count
     }
 }
 
-/* How to divide: by a shift; by a factor of 16 bits, where that is exact for all sums up to 255 * divisor, which fit 16
- * bits too; or as the plain body does. */
+/* How to divide sums of 32 bits: by a shift, or as the plain body does. */
 typedef struct {
-    enum { BY_SHIFT, BY_FACTOR16, BY_FACTOR32 } how;
-    int shift;
-    uint32_t factor16;
-    __m128i divisor, limit, factor;
+    int by_shift, shift;
+    lanes divisor, limit, factor;
 } division;
 
 static division make_division(const iris_row_quotient *q)
 {
-    division by = {BY_FACTOR32,
-                   q->shift,
-                   0,
-                   _mm_set1_epi32(q->divisor),
-                   _mm_set1_epi32(255 * q->divisor),
-                   _mm_set1_epi32((int32_t)q->factor)};
-    int power = q->shift - 31; /* of two, the largest not above the divisor */
-    uint32_t divisor = (uint32_t)q->divisor, one = (uint32_t)65536 << (power < 8 ? power : 8);
-    uint32_t factor = (one + divisor - 1) / divisor, excess = factor * divisor - one;
-    if (q->divisor == (int32_t)1 << power) {
-        by.how = BY_SHIFT;
-        by.shift = power;
-    } else if (divisor <= 257 && excess * 255 * divisor < one) {
-        by.how = BY_FACTOR16;
-        by.shift = power;
-        by.factor16 = factor;
-    }
-    return by;
+    int by_shift = q->factor == (uint32_t)1 << 31;
+    return (division){by_shift, by_shift ? q->shift - 31 : q->shift, V(set1_epi32)(q->divisor),
+                      V(set1_epi32)(255 * q->divisor), V(set1_epi32)((int32_t)q->factor)};
 }
 
-/* Four sums: minus the quotient where they are negative. */
-INLINE __m128i absolute_s32(__m128i sum, const division *by)
+/* Minus the quotient where sums are negative. */
+INLINE lanes absolute_s32(lanes sum, const division *by)
 {
-    __m128i negative = _mm_srai_epi32(sum, 31);
-    return _mm_add_epi32(_mm_xor_si128(sum, negative), _mm_and_si128(negative, by->divisor));
+    lanes negative = V(srai_epi32)(sum, 31);
+    return V(add_epi32)(VSI(xor)(sum, negative), VSI(and)(negative, by->divisor));
 }
 
-INLINE __m128i divide32(__m128i sum, const division *by)
+INLINE lanes divide32(lanes sum, const division *by)
 {
-    sum = _mm_min_epi32(_mm_max_epi32(sum, _mm_setzero_si128()), by->limit);
-    __m128i even = _mm_srli_epi64(_mm_mul_epu32(sum, by->factor), by->shift);
-    __m128i odd = _mm_srli_epi64(_mm_mul_epu32(_mm_srli_epi64(sum, 32), by->factor), by->shift);
-    return _mm_or_si128(even, _mm_slli_epi64(odd, 32));
+    sum = V(min_epi32)(V(max_epi32)(sum, VSI(setzero)()), by->limit);
+    lanes even = V(srli_epi64)(V(mul_epu32)(sum, by->factor), by->shift);
+    lanes odd = V(srli_epi64)(V(mul_epu32)(V(srli_epi64)(sum, 32), by->factor), by->shift);
+    return VSI(or)(even, V(slli_epi64)(odd, 32));
 }
 
-/* 16 sums to bytes. */
-INLINE __m128i settle_16(const __m128i given[4], const division *by, int absolute)
+/* Sums to bytes, in their order. */
+INLINE lanes settle_all(const lanes given[4], const division *by, int absolute)
 {
-    __m128i s[4] = {given[0], given[1], given[2], given[3]};
-#pragma GCC unroll 4
-    for (int v = 0; v < 4 && absolute; v++) {
-        s[v] = absolute_s32(s[v], by);
-    }
-    if (by->how == BY_FACTOR16) {
-        __m128i limit = _mm_packus_epi32(by->limit, by->limit),
-                factor = _mm_set1_epi16((int16_t)by->factor16);
-        __m128i low = _mm_min_epu16(_mm_packus_epi32(s[0], s[1]), limit);
-        __m128i high = _mm_min_epu16(_mm_packus_epi32(s[2], s[3]), limit);
-        return _mm_packus_epi16(_mm_srli_epi16(_mm_mulhi_epu16(low, factor), by->shift),
-                                _mm_srli_epi16(_mm_mulhi_epu16(high, factor), by->shift));
-    }
+    lanes s[4] = {given[0], given[1], given[2], given[3]};
 #pragma GCC unroll 4
     for (int v = 0; v < 4; v++) {
-        s[v] = by->how == BY_SHIFT ? _mm_srai_epi32(s[v], by->shift) : divide32(s[v], by);
+        s[v] = absolute ? absolute_s32(s[v], by) : s[v];
+        s[v] = by->by_shift ? V(srai_epi32)(s[v], by->shift) : divide32(s[v], by);
     }
-    return _mm_packus_epi16(_mm_packs_epi32(s[0], s[1]), _mm_packs_epi32(s[2], s[3]));
+    return V(packus_epi16)(V(packs_epi32)(s[0], s[1]), V(packs_epi32)(s[2], s[3]));
 }
 
-/* 16 sums of 16 bits to bytes. */
-INLINE __m128i settle_narrow(__m128i low, __m128i high, const division *by, int32_t divisor, int absolute)
+/* A window whose sums fit 16 bits without a sign: `below` is added to all of them, and the most that the weights below 0
+ * can make of bytes. Pairs of taps that lie side by side come first, those alone last. */
+typedef struct {
+    struct {
+        const uint8_t *src;
+        uint32_t even, odd; /* weights of the bytes of an even and of an odd pixel, twice */
+    } tap[IRIS_ROW_TAPS];
+    int32_t pairs, alone;
+    int32_t below, most; /* of all sums, with what is added */
+    int32_t first;       /* what a sum begins with */
+    int32_t shift,
+        factor;   /* to divide: the upper 16 bits of a product, shifted; no product where factor is 0 */
+    int corrects; /* the quotient may be 1 too great */
+} byte_plan;
+
+static int32_t plan_taps(byte_plan *plan, const iris_row_tap *taps, int32_t count)
 {
-    const __m128i zero = _mm_setzero_si128(), limit = _mm_set1_epi16((int16_t)(255 * divisor));
-    const __m128i factor = _mm_set1_epi16((int16_t)by->factor16), one = _mm_set1_epi16((int16_t)divisor);
-    if (absolute) {
-        __m128i below = _mm_srai_epi16(low, 15), below_too = _mm_srai_epi16(high, 15);
-        low = _mm_add_epi16(_mm_xor_si128(low, below), _mm_and_si128(below, one));
-        high = _mm_add_epi16(_mm_xor_si128(high, below_too), _mm_and_si128(below_too, one));
+    int32_t sum = 0;
+    plan->pairs = plan->alone = plan->below = 0;
+    for (int32_t k = 0; k < count; k++) {
+        int32_t weight = taps[k].weight, next = k + 1 < count ? taps[k + 1].weight : 0;
+        if (weight < -127 || weight > 127 || sum > 257) {
+            return INT16_MAX;
+        }
+        int paired = k + 1 < count && taps[k + 1].src == taps[k].src + 1 && next >= -127 && next <= 127 &&
+                     size_of(weight) + size_of(next) <= 128;
+        int32_t at = paired ? plan->pairs++ : IRIS_ROW_TAPS - ++plan->alone;
+        uint32_t low = (uint32_t)weight & 0xff, high = paired ? (uint32_t)next & 0xff : 0;
+        plan->tap[at].src = taps[k].src;
+        plan->tap[at].even = (low | high << 8) * 0x00010001u;
+        plan->tap[at].odd = (low << 8) * 0x00010001u;
+        sum += size_of(weight) + (paired ? size_of(next) : 0);
+        plan->below += 255 * ((weight < 0 ? -weight : 0) + (paired && next < 0 ? -next : 0));
+        k += paired;
     }
-    if (by->how == BY_SHIFT) {
-        return _mm_packus_epi16(_mm_srai_epi16(low, by->shift), _mm_srai_epi16(high, by->shift));
-    }
-    low = _mm_mulhi_epu16(_mm_min_epi16(_mm_max_epi16(low, zero), limit), factor);
-    high = _mm_mulhi_epu16(_mm_min_epi16(_mm_max_epi16(high, zero), limit), factor);
-    return _mm_packus_epi16(_mm_srli_epi16(low, by->shift), _mm_srli_epi16(high, by->shift));
+    return sum;
 }
 
-INLINE void filter_narrow(uint8_t *dst, const tap_plan *plan, const iris_row_quotient *q, int32_t pairs,
-                          int32_t n)
+/* 1 when such sums are divided by 16 bits too. The factor is 2^(16 + shift) / divisor rounded up, so that the quotient is
+ * at most 1 too great; exact where the excess times the most is below 2^(16 + shift). */
+static int plan_bytes(byte_plan *plan, const iris_row_tap *taps, int32_t count, const iris_row_quotient *q)
 {
-    const division by = make_division(q);
-    const __m128i start = _mm_set1_epi16((int16_t)q->start);
-    for (int32_t i = 0; i < n; i += 16) {
-        int32_t at = i < n - 16 ? i : n - 16;
-        __m128i sums[2] = {start, start};
-        add_narrow(sums, plan, 0, pairs, at);
-        store16(dst + at, settle_narrow(sums[0], sums[1], &by, q->divisor, q->absolute));
+    int32_t sum = plan_taps(plan, taps, count);
+    if (q->divisor > INT16_MAX || q->start < 0 || q->start > INT16_MAX) {
+        return 0;
+    }
+    plan->first = q->start + plan->below;
+    plan->most = q->start + 255 * sum;
+    plan->shift = q->shift - 31;
+    uint32_t divisor = (uint32_t)q->divisor, one = (uint32_t)65536 << plan->shift;
+    uint32_t factor = (one + divisor - 1) / divisor, excess = factor * divisor - one;
+    plan->factor = excess == 0 ? 0 : (int32_t)factor;
+    plan->corrects = (uint64_t)excess * (uint32_t)plan->most >= one;
+    return plan->most + q->divisor <= UINT16_MAX && plan->below + q->divisor <= UINT16_MAX;
+}
+
+typedef struct {
+    lanes below, mirror, limit, factor, divisor;
+} byte_division;
+
+/* Quotients of sums that are `below` too great, 0 to 255. */
+INLINE lanes settle_bytes(lanes sums, const byte_plan *plan, const byte_division *by, int absolute)
+{
+    lanes n = V(subs_epu16)(sums, by->below);
+    if (absolute) { /* what is less than the divisor on the other side does not count */
+        n = V(max_epu16)(n, V(subs_epu16)(by->mirror, sums));
+    }
+    n = V(min_epu16)(n, by->limit);
+    lanes quotient = V(srli_epi16)(plan->factor ? V(mulhi_epu16)(n, by->factor) : n, plan->shift);
+    if (plan->corrects) {
+        lanes above = V(subs_epu16)(V(mullo_epi16)(quotient, by->divisor), n);
+        lanes exact = V(cmpeq_epi16)(above, VSI(setzero)());
+        quotient = V(sub_epi16)(V(sub_epi16)(quotient, V(set1_epi16)(1)), exact);
+    }
+    return quotient;
+}
+
+/* The last pixels of a row come again, where it is no multiple of the vectors. */
+INLINE void filter_bytes(uint8_t *dst, const byte_plan *plan, const iris_row_quotient *q, int32_t pairs,
+                         int32_t alone, int32_t n)
+{
+    int32_t limit = 255 * q->divisor < UINT16_MAX ? 255 * q->divisor : UINT16_MAX;
+    const byte_division by = {V(set1_epi16)((int16_t)plan->below),
+                              V(set1_epi16)((int16_t)(plan->below + q->divisor - 1)),
+                              V(set1_epi16)((int16_t)limit), V(set1_epi16)((int16_t)plan->factor),
+                              V(set1_epi16)((int16_t)q->divisor)};
+    for (int32_t start = 0; start < n; start += LANES) {
+        int32_t i = start < n - LANES ? start : n - LANES;
+        lanes even = V(set1_epi16)((int16_t)plan->first), odd = even;
+#pragma GCC unroll 4
+        for (int32_t p = 0; p < pairs; p++) {
+            lanes w = weights_of(plan->tap[p].even);
+            even = V(add_epi16)(even, V(maddubs_epi16)(load_lanes(plan->tap[p].src + i), w));
+            odd = V(add_epi16)(odd, V(maddubs_epi16)(load_lanes(plan->tap[p].src + i + 1), w));
+        }
+#pragma GCC unroll 4
+        for (int32_t k = IRIS_ROW_TAPS - alone; k < IRIS_ROW_TAPS; k++) {
+            lanes bytes = load_lanes(plan->tap[k].src + i);
+            even = V(add_epi16)(even, V(maddubs_epi16)(bytes, weights_of(plan->tap[k].even)));
+            odd = V(add_epi16)(odd, V(maddubs_epi16)(bytes, weights_of(plan->tap[k].odd)));
+        }
+        even = settle_bytes(even, plan, &by, q->absolute);
+        odd = settle_bytes(odd, plan, &by, q->absolute);
+        store_lanes(dst + i, VSI(or)(even, V(slli_epi16)(odd, 8)));
     }
 }
 
-/* Everything fits 16 bits, up to the division. */
-static int fits_narrow(const tap_plan *plan, const iris_row_quotient *q)
+/* Their vectors' stack is not the plan's. */
+static __attribute__((noinline)) void filter_3x3(uint8_t *dst, const byte_plan *plan,
+                                                 const iris_row_quotient *q, int32_t n)
 {
-    int32_t start = size_of(q->start);
-    return plan->kind == NARROW && plan->groups == 1 && start <= INT16_MAX - 255 * plan->sum &&
-           q->divisor <= 128 && make_division(q).how != BY_FACTOR32;
+    filter_bytes(dst, plan, q, 3, 3, n);
+}
+
+static __attribute__((noinline)) void filter_any(uint8_t *dst, const byte_plan *plan,
+                                                 const iris_row_quotient *q, int32_t n)
+{
+    filter_bytes(dst, plan, q, plan->pairs, plan->alone, n);
+}
+
+static int filter_by_bytes(uint8_t *dst, const iris_row_tap *taps, int32_t count,
+                           const iris_row_quotient *quotient, int32_t n)
+{
+    byte_plan plan;
+    if (!plan_bytes(&plan, taps, count, quotient)) {
+        return 0;
+    }
+    if (plan.pairs == 3 && plan.alone == 3) {
+        filter_3x3(dst, &plan, quotient, n);
+    } else {
+        filter_any(dst, &plan, quotient, n);
+    }
+    return 1;
+}
+
+static void filter_by_sums(uint8_t *dst, const iris_row_tap *taps, int32_t count,
+                           const iris_row_quotient *quotient, int32_t n)
+{
+    tap_plan plan;
+    make_plan(&plan, taps, count);
+    if (plan.kind == UNFIT) {
+        iris_row_filter_u8_c(dst, taps, count, quotient, n);
+        return;
+    }
+    const division by = make_division(quotient);
+    const lanes begin = V(set1_epi32)(quotient->start);
+    for (int32_t start = 0; start < n; start += LANES) {
+        int32_t i = start < n - LANES ? start : n - LANES;
+        lanes all[4] = {begin, begin, begin, begin};
+        add_all(all, &plan, i);
+        store_lanes(dst + i, settle_all(all, &by, quotient->absolute));
+    }
 }
 
 void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t count,
                             const iris_row_quotient *quotient, int32_t n)
 {
-    tap_plan plan;
-    make_plan(&plan, taps, count);
-    if (plan.kind == UNFIT || n < 16) {
+    if (n < LANES) {
         iris_row_filter_u8_c(dst, taps, count, quotient, n);
-        return;
-    }
-    if (fits_narrow(&plan, quotient)) {
-        if (plan.pairs == 5) { /* 3x3 */
-            filter_narrow(dst, &plan, quotient, 5, n);
-        } else if (plan.pairs == 3) { /* a cross */
-            filter_narrow(dst, &plan, quotient, 3, n);
-        } else {
-            filter_narrow(dst, &plan, quotient, plan.pairs, n);
-        }
-        return;
-    }
-    const division by = make_division(quotient);
-    const __m128i start = _mm_set1_epi32(quotient->start);
-    for (int32_t i = 0; i < n; i += 16) {
-        int32_t at = i < n - 16 ? i : n - 16;
-        __m128i all[4] = {start, start, start, start};
-        add_all(all, &plan, at);
-        store16(dst + at, settle_16(all, &by, quotient->absolute));
+    } else if (!filter_by_bytes(dst, taps, count, quotient, n)) {
+        filter_by_sums(dst, taps, count, quotient, n);
     }
 }
