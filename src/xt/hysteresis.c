@@ -16,22 +16,26 @@ static inline uint32_t fill(uint32_t seeds, uint32_t within)
     return reached | (open & reached >> 16);
 }
 
-/* A row on its way: its words, those of its neighbors, and the marks of all three (null: there is no such row). */
+/* A row on its way, and its neighbors above and below: [1] is the row itself. A neighbor that is not there has zeros, and
+ * no marks. */
 typedef struct {
     uint32_t *here;
-    const uint32_t *above, *below, *weak, *part;
+    const uint32_t *strong[3], *weak[3], *part;
     uint32_t *dirty[3];
     int32_t words;
 } row;
 
 static inline uint32_t strong_around(const row *r, int32_t word)
 {
-    return (r->above[word] | r->here[word] | r->below[word]) & r->part[word];
+    return (r->strong[0][word] | r->here[word] | r->strong[2][word]) & r->part[word];
 }
 
-static inline void mark(uint32_t *dirty, int32_t word)
+/* Marks a word of a row when pixels of it may be found beside those in `near`. */
+static inline void mark(const row *r, int which, int32_t word, uint32_t near)
 {
-    dirty[word / 32] |= (uint32_t)1 << word % 32;
+    if (near & r->weak[which][word] & ~r->strong[which][word]) {
+        r->dirty[which][word / 32] |= (uint32_t)1 << word % 32;
+    }
 }
 
 /* The words that pixels found in this one may change. */
@@ -42,21 +46,21 @@ static void mark_around(const row *r, int32_t word, uint32_t found)
             continue;
         }
         if (i != 1) {
-            mark(r->dirty[i], word);
+            mark(r, i, word, found | found << 1 | found >> 1);
         }
         if ((found & 1u) && word > 0) {
-            mark(r->dirty[i], word - 1);
+            mark(r, i, word - 1, (uint32_t)1 << 31);
         }
         if (found >> 31 && word + 1 < r->words) {
-            mark(r->dirty[i], word + 1);
+            mark(r, i, word + 1, 1u);
         }
     }
 }
 
-/* Looks at one word; 1 when it has changed. */
-static int look(const row *r, int32_t word)
+/* Looks at one word. */
+static void look(const row *r, int32_t word)
 {
-    uint32_t around = strong_around(r, word), own = r->here[word] & r->part[word], weak = r->weak[word];
+    uint32_t around = strong_around(r, word), weak = r->weak[1][word];
     uint32_t near = around | around << 1 | around >> 1;
     if (word > 0) {
         near |= strong_around(r, word - 1) >> 31;
@@ -65,19 +69,16 @@ static int look(const row *r, int32_t word)
         near |= strong_around(r, word + 1) << 31;
     }
     near &= weak;
-    if ((near & ~own) == 0) {
-        return 0;
+    if (near & ~r->here[word]) {
+        uint32_t found = fill(near, weak) & ~r->here[word];
+        r->here[word] |= found;
+        mark_around(r, word, found);
     }
-    uint32_t found = fill(near, weak) & ~own;
-    r->here[word] |= found;
-    mark_around(r, word, found);
-    return 1;
 }
 
-/* Looks at all words of a row that are marked, until none is; 1 when any has changed. */
-static int look_along(const row *r)
+/* Looks at all words of a row that are marked, until none is. */
+static void look_along(const row *r)
 {
-    int changed = 0;
     uint32_t *dirty = r->dirty[1];
     for (int32_t i = 0; 32 * i < r->words;) {
         if (dirty[i] == 0) {
@@ -86,25 +87,62 @@ static int look_along(const row *r)
         }
         int32_t bit = __builtin_ctz(dirty[i]);
         dirty[i] &= dirty[i] - 1;
-        changed |= look(r, 32 * i + bit);
+        look(r, 32 * i + bit);
         i -= i > 0 && dirty[i - 1] != 0;
     }
-    return changed;
 }
 
+/* Row y has marks. */
+static int is_marked(const iris_hysteresis *h, int32_t y, int32_t groups)
+{
+    if (y < h->top || y >= h->bottom) {
+        return 0;
+    }
+    const uint32_t *dirty = h->dirty + (size_t)y * (size_t)groups;
+    uint32_t any = 0;
+    for (int32_t i = 0; i < groups; i++) {
+        any |= dirty[i];
+    }
+    return any != 0;
+}
+
+static void look_at_row(const iris_hysteresis *h, int32_t y, int32_t words, int32_t groups)
+{
+    uint32_t *dirty = h->dirty + (size_t)y * (size_t)groups, *here = (uint32_t *)iris_image_row(h->strong, y);
+    const uint32_t *weak = h->weak + (size_t)y * (size_t)words;
+    const int has_above = y > h->top, has_below = y + 1 < h->bottom;
+    const row r = {here,
+                   {has_above ? (const uint32_t *)iris_image_row(h->strong, y - 1) : h->zeros, here,
+                    has_below ? (const uint32_t *)iris_image_row(h->strong, y + 1) : h->zeros},
+                   {has_above ? weak - words : h->zeros, weak, has_below ? weak + words : h->zeros},
+                   h->part,
+                   {has_above ? dirty - groups : NULL, dirty, has_below ? dirty + groups : NULL},
+                   words};
+    look_along(&r);
+}
+
+/* Down the picture, and then to and fro over the rows that have got marks behind the one that was looked at. */
 void iris_hysteresis_run(const iris_hysteresis *h)
 {
     const int32_t words = (h->strong->w + 31) / 32, groups = (words + 31) / 32;
-    for (int32_t y = h->top; y < h->bottom;) {
-        uint32_t *dirty = h->dirty + (size_t)y * (size_t)groups;
-        int has_above = y > h->top, has_below = y + 1 < h->bottom;
-        const row r = {(uint32_t *)iris_image_row(h->strong, y),
-                       has_above ? (const uint32_t *)iris_image_row(h->strong, y - 1) : h->zeros,
-                       has_below ? (const uint32_t *)iris_image_row(h->strong, y + 1) : h->zeros,
-                       h->weak + (size_t)y * (size_t)words,
-                       h->part,
-                       {has_above ? dirty - groups : NULL, dirty, has_below ? dirty + groups : NULL},
-                       words};
-        y += look_along(&r) && has_above ? -1 : 1;
+    int32_t step = 1, y = h->top, last = h->bottom - 1;
+    for (int is_behind = 1; is_behind; step = -step) {
+        int32_t nearest = y, farthest = y;
+        for (is_behind = 0; step * (last - y) >= 0; y += step) {
+            if (!is_marked(h, y, groups)) {
+                continue;
+            }
+            look_at_row(h, y, words, groups);
+            if (y == last && is_marked(h, y + step, groups)) {
+                last += step;
+            }
+            if (is_marked(h, y - step, groups)) {
+                nearest = y - step;
+                farthest = is_behind ? farthest : nearest;
+                is_behind = 1;
+            }
+        }
+        y = nearest;
+        last = farthest;
     }
 }

@@ -268,38 +268,46 @@ void iris_row_crossings_s16_sse(uint32_t *mask, const int16_t *const rows[3], in
     }
 }
 
-/* Eight pixels from i on: all ones where the size is greatest across the edge. */
-static inline __m128i ridge_8(const iris_row_ridges *rows, int32_t i)
+/* LANES / 2 pixels from i on: all ones where the size is greatest across the edge. */
+INLINE lanes ridge_at(const iris_row_ridges *rows, int32_t i)
 {
     const int16_t *above = rows->size[0] + i, *here = rows->size[1] + i, *below = rows->size[2] + i;
-    __m128i dx = load16(rows->dx + i), dy = load16(rows->dy + i), size = load16(here);
-    __m128i across = _mm_abs_epi16(dx), down = _mm_abs_epi16(dy);
-    __m128i twice = _mm_add_epi16(across, across);
-    __m128i t = _mm_mulhi_epu16(twice, _mm_set1_epi16(13573));
-    __m128i is_steep = _mm_cmpgt_epi16(down, t);
-    __m128i is_upright = _mm_cmpgt_epi16(down, _mm_add_epi16(twice, t));
-    __m128i leans_left = _mm_srai_epi16(_mm_xor_si128(dx, dy), 15);
-    __m128i is_diagonal = _mm_andnot_si128(is_upright, is_steep);
-    __m128i before = _mm_blendv_epi8(load16(above - 1), load16(above + 1), leans_left);
-    __m128i after = _mm_blendv_epi8(load16(below + 1), load16(below - 1), leans_left);
-    before = _mm_blendv_epi8(_mm_blendv_epi8(load16(here - 1), before, is_steep), load16(above), is_upright);
-    after = _mm_blendv_epi8(_mm_blendv_epi8(load16(here + 1), after, is_steep), load16(below), is_upright);
+    lanes dx = load_lanes(rows->dx + i), dy = load_lanes(rows->dy + i), size = load_lanes(here);
+    lanes across = V(abs_epi16)(dx), down = V(abs_epi16)(dy);
+    lanes twice = V(add_epi16)(across, across);
+    lanes t = V(mulhi_epu16)(twice, V(set1_epi16)(13573));
+    lanes is_steep = V(cmpgt_epi16)(down, t);
+    lanes is_upright = V(cmpgt_epi16)(down, V(add_epi16)(twice, t));
+    lanes leans_left = V(srai_epi16)(VSI(xor)(dx, dy), 15);
+    lanes is_diagonal = VSI(andnot)(is_upright, is_steep);
+    lanes before = V(blendv_epi8)(load_lanes(above - 1), load_lanes(above + 1), leans_left);
+    lanes after = V(blendv_epi8)(load_lanes(below + 1), load_lanes(below - 1), leans_left);
+    before =
+        V(blendv_epi8)(V(blendv_epi8)(load_lanes(here - 1), before, is_steep), load_lanes(above), is_upright);
+    after =
+        V(blendv_epi8)(V(blendv_epi8)(load_lanes(here + 1), after, is_steep), load_lanes(below), is_upright);
     /* Not below is above one less. */
-    after = _mm_add_epi16(after, _mm_xor_si128(is_diagonal, _mm_set1_epi16(-1)));
-    return _mm_and_si128(_mm_cmpgt_epi16(size, before), _mm_cmpgt_epi16(size, after));
+    after = V(add_epi16)(after, VSI(xor)(is_diagonal, V(set1_epi16)(-1)));
+    return VSI(and)(V(cmpgt_epi16)(size, before), V(cmpgt_epi16)(size, after));
 }
 
-/* 16 pixels from i on: bits of the weak ones, and above them of the strong ones. */
-static inline uint32_t ridges_16(const iris_row_ridges *rows, int32_t i, __m128i low, __m128i high)
+INLINE lanes above_limit(const int16_t *size, lanes limit)
 {
-    __m128i first = load16(rows->size[1] + i), second = load16(rows->size[1] + i + 8);
-    __m128i weak = _mm_packs_epi16(_mm_cmpgt_epi16(first, low), _mm_cmpgt_epi16(second, low));
-    if (_mm_movemask_epi8(weak) == 0) {
+    return V(packs_epi16)(V(cmpgt_epi16)(load_lanes(size), limit),
+                          V(cmpgt_epi16)(load_lanes(size + LANES / 2), limit));
+}
+
+/* LANES pixels from i on: bits of the weak ones, and above 32 of them of the strong ones. */
+INLINE uint64_t ridges_at(const iris_row_ridges *rows, int32_t i, lanes low, lanes high)
+{
+    lanes weak = above_limit(rows->size[1] + i, low);
+    if (V(movemask_epi8)(weak) == 0) {
         return 0;
     }
-    weak = _mm_and_si128(weak, _mm_packs_epi16(ridge_8(rows, i), ridge_8(rows, i + 8)));
-    __m128i strong = _mm_packs_epi16(_mm_cmpgt_epi16(first, high), _mm_cmpgt_epi16(second, high));
-    return high_bits(weak, _mm_and_si128(weak, strong));
+    weak = VSI(and)(weak, V(packs_epi16)(ridge_at(rows, i), ridge_at(rows, i + LANES / 2)));
+    lanes strong = VSI(and)(weak, above_limit(rows->size[1] + i, high));
+    return (uint32_t)V(movemask_epi8)(in_order(weak)) | (uint64_t)(uint32_t)V(movemask_epi8)(in_order(strong))
+                                                            << 32;
 }
 
 /* The last word comes from the last 32 pixels of the row, some of which may be in the word before it. */
@@ -309,14 +317,15 @@ void iris_row_ridges_s16_sse(uint32_t *weak, uint32_t *strong, const iris_row_ri
         iris_row_ridges_s16_c(weak, strong, rows, n);
         return;
     }
-    const __m128i low = _mm_set1_epi16((int16_t)rows->low), high = _mm_set1_epi16((int16_t)rows->high);
+    const lanes low = V(set1_epi16)((int16_t)rows->low), high = V(set1_epi16)((int16_t)rows->high);
     for (int32_t start = 0; start < n; start += 32) {
         int32_t count = n - start < 32 ? n - start : 32, from = start + count - 32;
-        uint32_t first = ridges_16(rows, from, low, high), second = ridges_16(rows, from + 16, low, high);
-        uint32_t weak_bits = (first & 0xffffu) | second << 16,
-                 strong_bits = first >> 16 | (second & 0xffff0000u);
-        iris_row_put_bits(&weak[start / 32], weak_bits >> (-count & 31), count);
-        iris_row_put_bits(&strong[start / 32], strong_bits >> (-count & 31), count);
+        uint64_t bits = ridges_at(rows, from, low, high);
+        if (LANES < 32) {
+            bits |= ridges_at(rows, from + 16, low, high) << 16;
+        }
+        iris_row_put_bits(&weak[start / 32], (uint32_t)bits >> (-count & 31), count);
+        iris_row_put_bits(&strong[start / 32], (uint32_t)(bits >> 32) >> (-count & 31), count);
     }
 }
 
