@@ -68,6 +68,16 @@ static void continue_row(uint8_t *row, const iris_rows *rows)
         memset(end, constant ? rows->border.value : end[-1], (size_t)rows->window.right);
         return;
     }
+    if (rows->channels == 1 && rows->window.left < rows->src->w && rows->window.right < rows->src->w) {
+        uint8_t *end = row + rows->src->w - 1;
+        for (int32_t x = 1; x <= rows->window.left; x++) {
+            row[-x] = row[x];
+        }
+        for (int32_t x = 1; x <= rows->window.right; x++) {
+            end[x] = end[-x];
+        }
+        return;
+    }
     for (int32_t x = -rows->window.left; x < 0; x++) {
         continue_at(row, rows, x);
     }

@@ -24,14 +24,18 @@ INLINE lanes weigh_pairs(lanes pairs, lanes weight)
 INLINE void down(int16_t *dst, const uint8_t *const *rows, const int16_t *weights, int32_t radius, int32_t n)
 {
     const bell_weights by = spread(weights, radius);
+    const uint8_t *row[2 * IRIS_BELL_RADIUS + 1]; /* known not to change */
+    for (int32_t k = 0; k <= 2 * radius; k++) {
+        row[k] = rows[k];
+    }
     for (int32_t i = 0; i < n; i += LANES) {
         int32_t at = i < n - LANES ? i : n - LANES;
-        lanes center = load_lanes(rows[radius] + at);
+        lanes center = load_lanes(row[radius] + at);
         lanes low = weigh_pairs(V(unpacklo_epi8)(center, VSI(setzero)()), by.w[0]);
         lanes high = weigh_pairs(V(unpackhi_epi8)(center, VSI(setzero)()), by.w[0]);
 #pragma GCC unroll 8
         for (int32_t k = 1; k <= radius; k++) {
-            lanes above = load_lanes(rows[radius - k] + at), below = load_lanes(rows[radius + k] + at);
+            lanes above = load_lanes(row[radius - k] + at), below = load_lanes(row[radius + k] + at);
             low = V(add_epi16)(low, weigh_pairs(V(unpacklo_epi8)(above, below), by.w[k]));
             high = V(add_epi16)(high, weigh_pairs(V(unpackhi_epi8)(above, below), by.w[k]));
         }

@@ -167,6 +167,13 @@ INLINE lanes settle_all(const lanes given[4], const division *by, int absolute)
     return V(packus_epi16)(V(packs_epi32)(s[0], s[1]), V(packs_epi32)(s[2], s[3]));
 }
 
+/* What there is to do to a sum. */
+typedef struct {
+    int shifts;   /* instead of multiplying and shifting */
+    int corrects; /* the quotient may be 1 too great */
+    int absolute;
+} settling;
+
 /* A window whose sums fit 16 bits without a sign: `below` is added to all of them, and the most that the weights below 0
  * can make of bytes. Pairs of taps that lie side by side come first, those alone last. */
 typedef struct {
@@ -175,34 +182,43 @@ typedef struct {
         uint32_t even, odd; /* weights of the bytes of an even and of an odd pixel, twice */
     } tap[IRIS_ROW_TAPS];
     int32_t pairs, alone;
-    int32_t below, most; /* of all sums, with what is added */
-    int32_t first;       /* what a sum begins with */
-    int32_t shift,
-        factor;   /* to divide: the upper 16 bits of a product, shifted; no product where factor is 0 */
-    int corrects; /* the quotient may be 1 too great */
+    int32_t below, most;   /* of all sums, with what is added */
+    int32_t first;         /* what a sum begins with */
+    int32_t shift, factor; /* to divide: the upper 16 bits of a product, shifted */
+    settling how;
 } byte_plan;
 
+static inline int fits_byte(int32_t weight)
+{
+    return weight >= -127 && weight <= 127;
+}
+
+/* The sum of |weights|, or more than can be. */
 static int32_t plan_taps(byte_plan *plan, const iris_row_tap *taps, int32_t count)
 {
-    int32_t sum = 0;
+    int32_t sizes = 0, sum = 0, pairs = 0, alone = 0;
     plan->pairs = plan->alone = plan->below = 0;
     for (int32_t k = 0; k < count; k++) {
         int32_t weight = taps[k].weight, next = k + 1 < count ? taps[k + 1].weight : 0;
-        if (weight < -127 || weight > 127 || sum > 257) {
+        if (!fits_byte(weight)) {
             return INT16_MAX;
         }
-        int paired = k + 1 < count && taps[k + 1].src == taps[k].src + 1 && next >= -127 && next <= 127 &&
+        int paired = k + 1 < count && taps[k + 1].src == taps[k].src + 1 && fits_byte(next) &&
                      size_of(weight) + size_of(next) <= 128;
-        int32_t at = paired ? plan->pairs++ : IRIS_ROW_TAPS - ++plan->alone;
-        uint32_t low = (uint32_t)weight & 0xff, high = paired ? (uint32_t)next & 0xff : 0;
+        next = paired ? next : 0;
+        int32_t at = paired ? pairs++ : IRIS_ROW_TAPS - ++alone;
+        uint32_t low = (uint32_t)weight & 0xff;
         plan->tap[at].src = taps[k].src;
-        plan->tap[at].even = (low | high << 8) * 0x00010001u;
-        plan->tap[at].odd = (low << 8) * 0x00010001u;
-        sum += size_of(weight) + (paired ? size_of(next) : 0);
-        plan->below += 255 * ((weight < 0 ? -weight : 0) + (paired && next < 0 ? -next : 0));
+        plan->tap[at].even = (low | ((uint32_t)next & 0xff) << 8) * 0x00010001u;
+        plan->tap[at].odd = low * 0x01000100u;
+        sizes += size_of(weight) + size_of(next);
+        sum += weight + next;
         k += paired;
     }
-    return sum;
+    plan->pairs = pairs;
+    plan->alone = alone;
+    plan->below = 255 * ((sizes - sum) / 2);
+    return sizes;
 }
 
 /* 1 when such sums are divided by 16 bits too. The factor is 2^(16 + shift) / divisor rounded up, so that the quotient is
@@ -218,8 +234,8 @@ static int plan_bytes(byte_plan *plan, const iris_row_tap *taps, int32_t count, 
     plan->shift = q->shift - 31;
     uint32_t divisor = (uint32_t)q->divisor, one = (uint32_t)65536 << plan->shift;
     uint32_t factor = (one + divisor - 1) / divisor, excess = factor * divisor - one;
-    plan->factor = excess == 0 ? 0 : (int32_t)factor;
-    plan->corrects = (uint64_t)excess * (uint32_t)plan->most >= one;
+    plan->factor = (int32_t)factor;
+    plan->how = (settling){excess == 0, (uint64_t)excess * (uint32_t)plan->most >= one, q->absolute};
     return plan->most + q->divisor <= UINT16_MAX && plan->below + q->divisor <= UINT16_MAX;
 }
 
@@ -228,15 +244,15 @@ typedef struct {
 } byte_division;
 
 /* Quotients of sums that are `below` too great, 0 to 255. */
-INLINE lanes settle_bytes(lanes sums, const byte_plan *plan, const byte_division *by, int absolute)
+INLINE lanes settle_bytes(lanes sums, const byte_division *by, settling how, int shift)
 {
     lanes n = V(subs_epu16)(sums, by->below);
-    if (absolute) { /* what is less than the divisor on the other side does not count */
+    if (how.absolute) { /* what is less than the divisor on the other side does not count */
         n = V(max_epu16)(n, V(subs_epu16)(by->mirror, sums));
     }
     n = V(min_epu16)(n, by->limit);
-    lanes quotient = V(srli_epi16)(plan->factor ? V(mulhi_epu16)(n, by->factor) : n, plan->shift);
-    if (plan->corrects) {
+    lanes quotient = V(srli_epi16)(how.shifts ? n : V(mulhi_epu16)(n, by->factor), shift);
+    if (how.corrects) {
         lanes above = V(subs_epu16)(V(mullo_epi16)(quotient, by->divisor), n);
         lanes exact = V(cmpeq_epi16)(above, VSI(setzero)());
         quotient = V(sub_epi16)(V(sub_epi16)(quotient, V(set1_epi16)(1)), exact);
@@ -244,47 +260,73 @@ INLINE lanes settle_bytes(lanes sums, const byte_plan *plan, const byte_division
     return quotient;
 }
 
-/* The last pixels of a row come again, where it is no multiple of the vectors. */
-INLINE void filter_bytes(uint8_t *dst, const byte_plan *plan, const iris_row_quotient *q, int32_t pairs,
-                         int32_t alone, int32_t n)
+/* Sums of the pixels from i on, in `vectors` pairs of even and odd ones. */
+INLINE void sum_bytes(lanes sums[4], const byte_plan *plan, int vectors, int32_t i)
 {
-    int32_t limit = 255 * q->divisor < UINT16_MAX ? 255 * q->divisor : UINT16_MAX;
+#pragma GCC unroll 4
+    for (int v = 0; v < 2 * vectors; v++) {
+        sums[v] = V(set1_epi16)((int16_t)plan->first);
+    }
+    for (int32_t p = 0; p < plan->pairs; p++) {
+        const uint8_t *src = plan->tap[p].src + i;
+        lanes w = weights_of(plan->tap[p].even);
+#pragma GCC unroll 4
+        for (int v = 0; v < 2 * vectors; v++) {
+            lanes bytes = load_lanes(src + v / 2 * LANES + v % 2);
+            sums[v] = V(add_epi16)(sums[v], V(maddubs_epi16)(bytes, w));
+        }
+    }
+    for (int32_t k = IRIS_ROW_TAPS - plan->alone; k < IRIS_ROW_TAPS; k++) {
+        const uint8_t *src = plan->tap[k].src + i;
+        lanes even = weights_of(plan->tap[k].even), odd = weights_of(plan->tap[k].odd);
+#pragma GCC unroll 4
+        for (int v = 0; v < 2 * vectors; v += 2) {
+            lanes bytes = load_lanes(src + v / 2 * LANES);
+            sums[v] = V(add_epi16)(sums[v], V(maddubs_epi16)(bytes, even));
+            sums[v + 1] = V(add_epi16)(sums[v + 1], V(maddubs_epi16)(bytes, odd));
+        }
+    }
+}
+
+/* The last pixels of a row come again, where it is no multiple of the vectors. */
+INLINE void filter_bytes(uint8_t *dst, const byte_plan *plan, const iris_row_quotient *q, int vectors,
+                         settling how, int32_t n)
+{
+    const int32_t limit = 255 * q->divisor < UINT16_MAX ? 255 * q->divisor : UINT16_MAX,
+                  width = vectors * LANES;
     const byte_division by = {V(set1_epi16)((int16_t)plan->below),
                               V(set1_epi16)((int16_t)(plan->below + q->divisor - 1)),
                               V(set1_epi16)((int16_t)limit), V(set1_epi16)((int16_t)plan->factor),
                               V(set1_epi16)((int16_t)q->divisor)};
-    for (int32_t start = 0; start < n; start += LANES) {
-        int32_t i = start < n - LANES ? start : n - LANES;
-        lanes even = V(set1_epi16)((int16_t)plan->first), odd = even;
-#pragma GCC unroll 4
-        for (int32_t p = 0; p < pairs; p++) {
-            lanes w = weights_of(plan->tap[p].even);
-            even = V(add_epi16)(even, V(maddubs_epi16)(load_lanes(plan->tap[p].src + i), w));
-            odd = V(add_epi16)(odd, V(maddubs_epi16)(load_lanes(plan->tap[p].src + i + 1), w));
+    for (int32_t start = 0; start < n; start += width) {
+        int32_t i = start < n - width ? start : n - width;
+        lanes sums[4];
+        sum_bytes(sums, plan, vectors, i);
+#pragma GCC unroll 2
+        for (int v = 0; v < 2 * vectors; v += 2) {
+            lanes even = settle_bytes(sums[v], &by, how, plan->shift);
+            lanes odd = settle_bytes(sums[v + 1], &by, how, plan->shift);
+            store_lanes(dst + i + v / 2 * LANES, VSI(or)(even, V(slli_epi16)(odd, 8)));
         }
-#pragma GCC unroll 4
-        for (int32_t k = IRIS_ROW_TAPS - alone; k < IRIS_ROW_TAPS; k++) {
-            lanes bytes = load_lanes(plan->tap[k].src + i);
-            even = V(add_epi16)(even, V(maddubs_epi16)(bytes, weights_of(plan->tap[k].even)));
-            odd = V(add_epi16)(odd, V(maddubs_epi16)(bytes, weights_of(plan->tap[k].odd)));
-        }
-        even = settle_bytes(even, plan, &by, q->absolute);
-        odd = settle_bytes(odd, plan, &by, q->absolute);
-        store_lanes(dst + i, VSI(or)(even, V(slli_epi16)(odd, 8)));
     }
 }
 
-/* Their vectors' stack is not the plan's. */
-static __attribute__((noinline)) void filter_3x3(uint8_t *dst, const byte_plan *plan,
+/* Its vectors' stack is not the plan's. */
+static __attribute__((noinline)) void filter_row(uint8_t *dst, const byte_plan *plan,
                                                  const iris_row_quotient *q, int32_t n)
 {
-    filter_bytes(dst, plan, q, 3, 3, n);
-}
-
-static __attribute__((noinline)) void filter_any(uint8_t *dst, const byte_plan *plan,
-                                                 const iris_row_quotient *q, int32_t n)
-{
-    filter_bytes(dst, plan, q, plan->pairs, plan->alone, n);
+    const settling any = plan->how;
+    if (n < 2 * LANES) {
+        filter_bytes(dst, plan, q, 1, any, n);
+    } else if (any.absolute) {
+        filter_bytes(dst, plan, q, 2, any, n);
+    } else if (any.shifts) {
+        filter_bytes(dst, plan, q, 2, (settling){1, 0, 0}, n);
+    } else if (any.corrects) {
+        filter_bytes(dst, plan, q, 2, (settling){0, 1, 0}, n);
+    } else {
+        filter_bytes(dst, plan, q, 2, (settling){0, 0, 0}, n);
+    }
 }
 
 static int filter_by_bytes(uint8_t *dst, const iris_row_tap *taps, int32_t count,
@@ -294,11 +336,7 @@ static int filter_by_bytes(uint8_t *dst, const iris_row_tap *taps, int32_t count
     if (!plan_bytes(&plan, taps, count, quotient)) {
         return 0;
     }
-    if (plan.pairs == 3 && plan.alone == 3) {
-        filter_3x3(dst, &plan, quotient, n);
-    } else {
-        filter_any(dst, &plan, quotient, n);
-    }
+    filter_row(dst, &plan, quotient, n);
     return 1;
 }
 
