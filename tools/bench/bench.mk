@@ -1,4 +1,4 @@
-# Measuring: instructions (exact, under QEMU's plugin interface), time on this machine, and bytes of flash and RAM.
+# Measuring: time on this machine, instructions (exact, under QEMU's plugin interface), and bytes of flash and RAM.
 
 COUNTER := $(abspath $(BUILD))/libicnt.so
 RESULTS := $(abspath $(BUILD))/bench
@@ -32,35 +32,44 @@ count-target: $(OUT)/bench.elf
 count-user: $(OUT)/bench-count
 	@$(firstword $(RUNNER)) -plugin $(COUNTER),out=$(OUT)/counts $(wordlist 2,99,$(RUNNER)) $< > $(OUT)/cases || { tail -1 $(OUT)/cases; false; }
 	@paste -d' ' $(OUT)/counts $(OUT)/cases | awk '{ $$1 = sprintf("%.2f", $$1 / $$2); $$2 = ""; print }' > $(RESULTS)/$(RESULT)
-time-host: $(OUT)/bench-time
-	@$< > $(RESULTS)/$(RESULT)
+time-program: $(OUT)/bench-time
+	@ln -sf $(abspath $<) $(RESULTS)/time-$(PORT)
+
+# On a busy machine, too, this machine's ports can be compared: they take turns, and the clock is processor time.
+SIZES  ?= 640x480
+BENCH  ?=
+NATIVES := $(filter-out $(EMULATED),$(PORTS))
+bench: ## nanoseconds and bytes per pixel of every operation, for this machine's ports: SIZES=640x480,... BENCH=part of a name
+	@mkdir -p $(RESULTS)
+	+@for port in $(NATIVES); do $(NATIVE) PORT=$$port time-program || exit 1; done
+	@tools/bench/times $(BUILD)/bench.json "$(SIZES)" "$(BENCH)" $(foreach p,$(NATIVES),$(p)=$(RESULTS)/time-$(p))
 
 # ARMv6-M code of the M0 is counted on a board with an M3, which runs it too and has room for a frame. What is not
 # installed has no column.
-X86       := $(if $(findstring x86_64,$(TARGET)),$(shell command -v qemu-x86_64))
-X86_COUNT := $(NATIVE) RUNNER="$(X86) -cpu max"
-ON        = $(if $(shell for t in $(1); do command -v $$t > /dev/null || echo $$t; done),true,$(2))
-bench: $(COUNTER) ## instructions per pixel on every port that runs here (exact), and nanoseconds per pixel on this machine
-	@rm -rf $(RESULTS)
+ON       = $(if $(shell for t in $(1); do command -v $$t > /dev/null || echo $$t; done),true,$(2))
+METAL    = $(call ON,arm-none-eabi-gcc qemu-system-arm,$(1))
+insns: $(COUNTER) ## instructions per pixel of every operation on every ARM that is emulated here, exact: BENCH=part of a name
+	@rm -rf $(RESULTS)/[1-9]-*
 	@mkdir -p $(RESULTS)
-	+@$(call ON,arm-none-eabi-gcc qemu-system-arm,$(M4) OPT=$(OPT) RESULT=1-M4 count-target)
-	+@$(call ON,arm-none-eabi-gcc qemu-system-arm,$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=2-M0 count-target)
-	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) PORT=generic RESULT=3-A64 count-user)
-	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) RESULT=4-A64-neon count-user)
-	+@$(if $(X86),$(X86_COUNT) PORT=generic RESULT=5-x86 count-user)
-	+@$(if $(X86),$(X86_COUNT) PORT=$(PORT) RESULT=6-x86-$(PORT) count-user)
-	+@$(NATIVE) PORT=generic RESULT=7-ns time-host
-	+@$(if $(filter generic,$(PORT)),true,$(NATIVE) PORT=$(PORT) RESULT=8-ns-$(PORT) time-host)
-	@echo 'Compiled with $(OPT). Instructions: frames of 160x120; ns: nanoseconds on this machine, frames of 640x480.'
-	@tools/bench/table $(RESULTS)/*
+	+@$(call METAL,$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=1-M0 count-target)
+	+@$(call METAL,$(M4) OPT=$(OPT) RESULT=2-M4 count-target)
+	+@$(if $(M55),$(call METAL,$(M55) OPT=$(OPT) RESULT=3-M55 count-target))
+	+@$(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(A32) PORT=generic RESULT=4-A32 count-user)
+	+@$(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(A32) RESULT=5-A32-neon count-user)
+	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) PORT=generic RESULT=6-A64 count-user)
+	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) RESULT=7-A64-neon count-user)
+	@echo 'Instructions, frames of 160x120, compiled with $(OPT)'
+	@tools/bench/table "$(BENCH)" $(RESULTS)/[1-9]-*
 
 # The same operations beside OpenCV's on the same pictures. Its wheels are kept in the cache folder.
 PEER_VERSION ?= 5.* 4.*
-SIZES        ?= 640x480
 bench-peers: $(OUT)/bench-peers ## IRIS beside OpenCV's wheels from PyPI: every operation both have, SIZES=640x480,... BENCH=part of a name
 	@pythons=$$(tools/bench/peers/wheels "$(CACHE)/peers" $(PEER_VERSION:%='%')) && set -- $$pythons && \
 	    PYTHONDONTWRITEBYTECODE=1 "$$1" tools/bench/peers/peers.py --iris $< --port $(PORT) --sizes $(SIZES) \
 	    --only "$(BENCH)" --work $(BUILD)/peers --json $(BUILD)/peers.json "$$@"
+
+# tests/bench.sh runs behind the tests of the same build folder.
+verify-scripts: $(OUT)/bench-time $(OUT)/bench-peers
 
 # A line per kernel: instructions per pixel (nanoseconds, on this machine) of the compiler's code and of ours, and the ratio.
 GAIN = awk '{ plain[$$3] += $$1; port[$$3] += $$2; n[$$3]++ } END { for (k in n) { r = plain[k] / port[k]; \
@@ -85,4 +94,4 @@ weigh: $(LIB) $(OUT)/firmware.elf
 	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
 	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
 	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
-.PHONY: size weigh gain gain-time gain-count bench bench-peers count-target count-user time-host
+.PHONY: size weigh gain gain-time gain-count bench insns bench-peers count-target count-user time-program
