@@ -48,16 +48,20 @@ bench: ## nanoseconds and bytes per pixel of every operation, for this machine's
 # installed has no column.
 ON       = $(if $(shell for t in $(1); do command -v $$t > /dev/null || echo $$t; done),true,$(2))
 METAL    = $(call ON,arm-none-eabi-gcc qemu-system-arm,$(1))
+A64_USER = $(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(1))
+A32_USER = $(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(1))
+TELL     = if [ -t 2 ]; then printf '%-40s\r' "$(1)" >&2; fi
 insns: $(COUNTER) ## instructions per pixel of every operation on every ARM that is emulated here, exact: BENCH=part of a name
 	@rm -rf $(RESULTS)/[1-9]-*
 	@mkdir -p $(RESULTS)
-	+@$(call METAL,$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=1-M0 count-target)
-	+@$(call METAL,$(M4) OPT=$(OPT) RESULT=2-M4 count-target)
-	+@$(if $(M55),$(call METAL,$(M55) OPT=$(OPT) RESULT=3-M55 count-target))
-	+@$(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(A32) PORT=generic RESULT=4-A32 count-user)
-	+@$(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(A32) RESULT=5-A32-neon count-user)
-	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) PORT=generic RESULT=6-A64 count-user)
-	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) RESULT=7-A64-neon count-user)
+	+@$(call TELL,M0); $(call METAL,$(M0) OPT=$(OPT) MACHINE=mps2-an385 RESULT=1-M0 count-target)
+	+@$(call TELL,M4); $(call METAL,$(M4) OPT=$(OPT) RESULT=2-M4 count-target)
+	+@$(call TELL,M55); $(if $(M55),$(call METAL,$(M55) OPT=$(OPT) RESULT=3-M55 count-target))
+	+@$(call TELL,ARMv7); $(call A32_USER,$(A32) PORT=generic RESULT=4-A32 count-user)
+	+@$(call TELL,ARMv7 neon); $(call A32_USER,$(A32) RESULT=5-A32-neon count-user)
+	+@$(call TELL,AArch64); $(call A64_USER,$(A64) PORT=generic RESULT=6-A64 count-user)
+	+@$(call TELL,AArch64 neon); $(call A64_USER,$(A64) RESULT=7-A64-neon count-user)
+	@$(call TELL)
 	@echo 'Instructions, frames of 160x120, compiled with $(OPT)'
 	@tools/bench/table "$(BENCH)" $(RESULTS)/[1-9]-*
 

@@ -2,6 +2,7 @@
 #include "iris/color.h"
 #include "iris/bayer.h"
 #include "iris/copy.h"
+#include "iris/nv12.h"
 #include "iris/xt/follow.h"
 #include "peers.h"
 
@@ -39,6 +40,21 @@ static void color_of_bgr(void)
     peer_gives_color();
 }
 
+/* The chroma of NV12 comes as the color picture's first bytes. */
+static void color_of_nv12(void)
+{
+    source = (iris_image){bench_frame.rgb.data, bench_frame.gray.w / 2 * 2, bench_frame.gray.w / 2,
+                          bench_frame.gray.h / 2, IRIS_UV88};
+    peer_gives_color();
+}
+
+static void color_of_bayer(void)
+{
+    source = bench_frame.gray;
+    source.format = IRIS_BAYER8_RGGB;
+    peer_gives_color();
+}
+
 static void prepare_bgr(void)
 {
     bgr = bench_frame.rgb;
@@ -69,6 +85,16 @@ static iris_status gray(void)
 static iris_status color(void)
 {
     return iris_color_convert(&bench_frame.rgb_to, &source);
+}
+
+static iris_status nv12(void)
+{
+    return iris_nv12_convert(&bench_frame.rgb_to, &bench_frame.gray, &source);
+}
+
+static iris_status bayer(void)
+{
+    return iris_bayer_convert(&bench_frame.rgb_to, &source);
 }
 
 static iris_status color_of_gray(void)
@@ -139,6 +165,8 @@ const peer_case peer_color[] = {
     {"gray to RGB", color_of_gray, peer_gives_color, NULL},
     {"YUYV to gray", gray, gray_of_yuyv, NULL},
     {"YUYV to RGB", color, color_of_yuyv, NULL},
+    {"NV12 to RGB", nv12, color_of_nv12, NULL},
+    {"Bayer to RGB", bayer, color_of_bayer, NULL},
     {"one channel of BGR", channel, peer_gives_gray, NULL},
     {"BGR to mask by a range of HSL", range, prepare_bgr, NULL},
     {"line follow by color", follow_line, prepare_follow, report_line},

@@ -8,7 +8,7 @@
 
 static const iris_border replicate = {IRIS_BORDER_REPLICATE, 0};
 static const iris_border mirrored = {IRIS_BORDER_REFLECT101, 0};
-static iris_image dx, dy;
+static iris_image dx, dy, angles;
 
 static iris_status magnitude(iris_edge_operator op)
 {
@@ -40,6 +40,17 @@ static void prepare_gradient(void)
 static iris_status gradient(void)
 {
     return iris_edge_gradient(&dx, &dy, &bench_frame.gray, NULL, mirrored, &bench_frame.scratch);
+}
+
+static void prepare_direction(void)
+{
+    angles = bench_canvas(IRIS_GRAY_U16);
+    peer_result = angles;
+}
+
+static iris_status direction(void)
+{
+    return iris_edge_direction(&angles, &bench_frame.gray, NULL, mirrored, &bench_frame.scratch);
 }
 
 static iris_status canny(void)
@@ -116,6 +127,7 @@ static void report_circles(void)
 const peer_case peer_edge[] = {
     {"Sobel, abs dx + abs dy", sobel, peer_gives_gray, NULL},
     {"Sobel, dx and dy", gradient, prepare_gradient, NULL},
+    {"Sobel, direction", direction, prepare_direction, NULL},
     {"Laplacian, absolute", laplacian, peer_gives_gray, NULL},
     {"Canny, L1", canny, peer_gives_mask, NULL},
     {"Hough lines, 1 pixel, 1 degree", find_lines, prepare_lines, report_lines},

@@ -44,6 +44,11 @@ static iris_status histogram(void)
     return iris_histogram(counts, &bench_frame.gray, 0, NULL);
 }
 
+static iris_status histogram_of_mask(void)
+{
+    return iris_histogram(counts, &bench_frame.gray, 0, &bench_frame.mask);
+}
+
 static void report_histogram(void)
 {
     for (int32_t i = 0; i < 256; i++) {
@@ -170,6 +175,17 @@ static iris_status correlate(void)
     return iris_correlate(&bench_frame.gray_to, &bench_frame.gray, &kernel, mirrored, &bench_frame.scratch);
 }
 
+static iris_status correlate_color(void)
+{
+    return iris_correlate(&bench_frame.rgb_to, &bench_frame.rgb, &kernel, mirrored, &bench_frame.scratch);
+}
+
+static void any_3_of_color(void)
+{
+    make_kernel(3);
+    peer_gives_color();
+}
+
 static iris_status dilate(void)
 {
     return iris_morph_dilate(&bench_frame.gray_to, &bench_frame.gray, NULL, replicate, &bench_frame.scratch);
@@ -191,9 +207,16 @@ static iris_status gradient(void)
                                &bench_frame.scratch);
 }
 
+static const iris_morph_element square = {15, 15, IRIS_MORPH_SQUARE, 0};
+
+static iris_status erode_15(void)
+{
+    return iris_morph_erode(&bench_frame.gray_to, &bench_frame.gray, &square, replicate,
+                            &bench_frame.scratch);
+}
+
 static iris_status tophat(void)
 {
-    const iris_morph_element square = {15, 15, IRIS_MORPH_SQUARE, 0};
     return iris_morph_tophat(&bench_frame.gray_to, &bench_frame.gray, &square, replicate,
                              &bench_frame.scratch);
 }
@@ -204,6 +227,7 @@ const peer_case peer_filter[] = {
     {"threshold, Otsu", otsu, peer_gives_mask, NULL},
     {"threshold, adaptive 25x25", adaptive, peer_gives_mask, NULL},
     {"histogram", histogram, prepare_histogram, report_histogram},
+    {"histogram of a mask", histogram_of_mask, prepare_histogram, report_histogram},
     {"equalize", equalize, peer_gives_gray, NULL},
     {"equalize locally, 8x8 tiles", equalize_local, peer_gives_gray, NULL},
     {"linear stretch, darkest to brightest", stretch, peer_gives_gray, NULL},
@@ -220,8 +244,10 @@ const peer_case peer_filter[] = {
     {"convolve 3x3", correlate, any_3, NULL},
     {"convolve 5x5", correlate, any_5, NULL},
     {"convolve 7x7", correlate, any_7, NULL},
+    {"convolve 3x3 of color", correlate_color, any_3_of_color, NULL},
     {"dilate 3x3", dilate, peer_gives_gray, NULL},
     {"erode 3x3", erode, peer_gives_gray, NULL},
+    {"erode 15x15", erode_15, peer_gives_gray, NULL},
     {"open 3x3", open, peer_gives_gray, NULL},
     {"morphological gradient 3x3", gradient, peer_gives_gray, NULL},
     {"top-hat 15x15", tophat, peer_gives_gray, NULL},

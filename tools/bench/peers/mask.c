@@ -4,6 +4,7 @@
 #include "iris/xt/blob.h"
 #include "iris/xt/contour.h"
 #include "iris/xt/distance.h"
+#include "iris/xt/hitmiss.h"
 #include "iris/xt/moments.h"
 #include "iris/xt/morph.h"
 #include "iris/xt/regress.h"
@@ -21,6 +22,27 @@ static iris_status dilate(void)
 static iris_status open(void)
 {
     return iris_morph_open(&bench_frame.mask_to, &bench_frame.mask, NULL, replicate, &bench_frame.scratch);
+}
+
+static iris_status close_15(void)
+{
+    const iris_morph_element square = {15, 15, IRIS_MORPH_SQUARE, 0};
+    return iris_morph_close(&bench_frame.mask_to, &bench_frame.mask, &square, replicate,
+                            &bench_frame.scratch);
+}
+
+static iris_hitmiss_pattern corner;
+
+static void prepare_corner(void)
+{
+    (void)iris_hitmiss_pattern_read(&corner, ".1./011/00.");
+    peer_gives_mask();
+}
+
+static iris_status find_corners(void)
+{
+    const iris_border clear = {IRIS_BORDER_CONSTANT, 0};
+    return iris_hitmiss_find(&bench_frame.mask_to, &bench_frame.mask, &corner, clear, &bench_frame.scratch);
 }
 
 static void prepare_far(void)
@@ -142,6 +164,8 @@ static void report_angle(void)
 const peer_case peer_mask[] = {
     {"dilate a mask 3x3", dilate, peer_gives_mask, NULL},
     {"open a mask 3x3", open, peer_gives_mask, NULL},
+    {"close a mask 15x15", close_15, peer_gives_mask, NULL},
+    {"hit-or-miss 3x3", find_corners, prepare_corner, NULL},
     {"distance, L1", distance, prepare_far, NULL},
     {"connected components with statistics", find_blobs, prepare_blobs, report_blobs},
     {"moments of a mask", moments, prepare_moments, report_moments},

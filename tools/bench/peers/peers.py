@@ -11,6 +11,8 @@ import argparse
 import json
 import os
 import pickle
+import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -18,13 +20,14 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROUND_NS = 2000000
+SECONDS = 3  # for a row; five rounds in any case
 
 
 # --- a side ---
 
 class Side:
     def __init__(self, name, command):
-        self.name = name
+        self.name, self.command = name, command
         quiet = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PYTHONDONTWRITEBYTECODE="1")
         self.child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=quiet)
 
@@ -37,8 +40,10 @@ class Side:
         return answer.strip()
 
     def case(self, folder, size, row):
+        """The line that prepares the case; None when this side cannot do it."""
         files = [os.path.join(folder, row[k] + "." + k) if row[k] != "-" else "-" for k in ("gray", "color", "mask")]
-        return self.ask("case %d %d|%s|%s" % (*size, "|".join(files), row["name"])) == "ok"
+        line = "case %d %d|%s|%s" % (*size, "|".join(files), row["name"])
+        return line if self.ask(line) == "ok" else None
 
     def time(self, calls):
         return int(self.ask("run %d" % calls)) / calls
@@ -117,7 +122,10 @@ def measure(row, folder, size, sides, options):
     ours.case(folder, size, row)
     calls = {side: side.calls_of_a_round() for side in able}
     took = {side: [] for side in able}
+    end = time.monotonic() + SECONDS
     for turn in range(options.rounds):
+        if turn >= 5 and time.monotonic() > end:
+            break
         for side in able[turn % len(able):] + able[:turn % len(able)]:
             if calls[side] > 1:
                 side.time(1)
@@ -132,22 +140,40 @@ def measure(row, folder, size, sides, options):
                 reached=ratio >= goal if goal else None, pictures=row)
 
 
-def profile(result, ours, folder, size):
-    """The functions that take the time, by samples of a running child; nothing where perf is missing."""
+def by_samples(result, ours, folder):
+    """Samples of the running child, which works meanwhile."""
     data = os.path.join(folder, "perf.data")
-    ours.case(folder, size, result["pictures"])
     calls = max(1, int(2e7 / (result["ours"] * 1e6)))
-    try:
-        perf = subprocess.Popen(["perf", "record", "-q", "-F", "5000", "-o", data, "-p", str(ours.child.pid), "--",
-                                 "sleep", "0.3"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    except OSError:
-        return []
+    perf = subprocess.Popen(["perf", "record", "-q", "-F", "5000", "-o", data, "-p", str(ours.child.pid), "--",
+                             "sleep", "0.3"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     while perf.poll() is None:
         ours.time(calls)
     report = subprocess.run(["perf", "report", "-i", data, "--stdio", "--no-children", "-F", "overhead,symbol"],
                             capture_output=True, text=True).stdout
-    lines = [line.split() for line in report.splitlines() if line.strip() and not line.startswith("#")]
-    return ["%s %s" % (words[-1], words[0]) for words in lines[:3]]
+    words = [line.split() for line in report.splitlines() if line.strip() and not line.startswith("#")]
+    return [(word[-1], word[0]) for word in words]
+
+
+def by_instructions(ours, folder, line):
+    """Instructions of some calls, counted in an emulator."""
+    data = os.path.join(folder, "callgrind")
+    subprocess.run(["valgrind", "-q", "--tool=callgrind", "--callgrind-out-file=" + data, "--toggle-collect=run",
+                    *ours.command],
+                   input=line + "\nrun 9\n", stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, text=True)
+    report = subprocess.run(["callgrind_annotate", data], capture_output=True, text=True).stdout
+    found = re.findall(r"\( ?([0-9.]+%)\) +\S*:(\S+)", report)
+    return [(name.replace("'2", ""), share) for share, name in found]
+
+
+def profile(result, ours, folder, size):
+    """The functions that take the time, with their shares; nothing when neither tool is there."""
+    line = ours.case(folder, size, result["pictures"])
+    found = []
+    if shutil.which("perf"):
+        found = by_samples(result, ours, folder)
+    if not found and shutil.which("valgrind"):
+        found = by_instructions(ours, folder, line)
+    return ["%s %s" % pair for pair in found[:3]]
 
 
 # --- the table ---

@@ -41,11 +41,15 @@ def make(folder, w, h):
         "edges": cv2.Canny(gray, 50, 150),
         "tape": tape & 128,
     }
-    yuyv = np.zeros((h, w, 3), np.uint8)
+    planes = cv2.cvtColor(coffee, cv2.COLOR_BGR2YUV_I420).ravel()
+    chroma = planes[w * h:].reshape(2, -1).T
+    yuyv, nv12 = np.zeros((h, w, 3), np.uint8), np.zeros((h, w, 3), np.uint8)
     yuyv.ravel()[:pairs.size] = pairs.ravel()
+    nv12.ravel()[:chroma.size] = chroma.ravel()
     os.makedirs(folder, exist_ok=True)
-    for name, rows in dict({"coffee.gray": gray, "smooth_coins.gray": smooth, "coffee.color": coffee,
-                            "line.color": line, "yuyv.color": yuyv}).items():
+    pictures = {"coffee.gray": gray, "smooth_coins.gray": smooth, "coffee.color": coffee, "line.color": line,
+                "yuyv.color": yuyv, "nv12.gray": planes[:w * h], "nv12.color": nv12}
+    for name, rows in pictures.items():
         rows.tofile(os.path.join(folder, name))
     for name, rows in masks.items():
         words = np.zeros((h, (w + 31) // 32 * 4), np.uint8)

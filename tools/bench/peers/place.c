@@ -25,6 +25,11 @@ static void prepare_smaller(void)
     gives(IRIS_GRAY8, bench_frame.gray.w * 3 / 4, bench_frame.gray.h * 3 / 4);
 }
 
+static void prepare_two_thirds(void)
+{
+    gives(IRIS_GRAY8, bench_frame.gray.w * 2 / 3, bench_frame.gray.h * 2 / 3);
+}
+
 static void prepare_turned(void)
 {
     gives(IRIS_GRAY8, bench_frame.gray.h, bench_frame.gray.w);
@@ -48,6 +53,27 @@ static iris_status half_area(void)
 static iris_status smaller_bilinear(void)
 {
     return iris_resize_bilinear(&to, &bench_frame.gray);
+}
+
+static iris_status smaller_nearest(void)
+{
+    return iris_resize_nearest(&to, &bench_frame.gray);
+}
+
+/* The level below is the left upper quarter. */
+static iris_image quarter;
+
+static void prepare_quarter(void)
+{
+    quarter = bench_frame.gray;
+    quarter.w /= 2;
+    quarter.h /= 2;
+    peer_gives_gray();
+}
+
+static iris_status pyramid_up(void)
+{
+    return iris_pyramid_up(&bench_frame.gray_to, &quarter, mirrored, &bench_frame.scratch);
 }
 
 static iris_status pyramid_down(void)
@@ -100,6 +126,8 @@ const peer_case peer_place[] = {
     {"copy", copy, peer_gives_gray, NULL},
     {"half the size, area", half_area, prepare_half, NULL},
     {"three quarters of the size, bilinear", smaller_bilinear, prepare_smaller, NULL},
+    {"two thirds of the size, nearest", smaller_nearest, prepare_two_thirds, NULL},
+    {"pyramid, one level up", pyramid_up, prepare_quarter, NULL},
     {"pyramid, one level down", pyramid_down, prepare_half, NULL},
     {"quarter turn", quarter_turn, prepare_turned, NULL},
     {"mirror", flip, peer_gives_gray, NULL},

@@ -134,8 +134,17 @@ def followed(ours, theirs, p):
     return bool(found and dx < p.w / 100 and da < 2), "%.1f pixels and %.1f degrees apart" % (dx, da)
 
 
-def bmp(ours, theirs, p):
-    same = np.array_equal(cv2.imdecode(ours.ravel().view(np.uint8), cv2.IMREAD_COLOR), p.color)
+def directions(ours, theirs, p):
+    """Angles of a turn, where there is a gradient: theirs are off by up to 0.3 degrees."""
+    dx, dy = cv2.spatialGradient(p.gray)
+    apart = np.abs((ours * (360 / 65536) - theirs + 180) % 360 - 180)[(dx != 0) | (dy != 0)]
+    return bool(apart.max() < 0.5), "within %.2f degrees" % apart.max()
+
+
+def file_of(ours, theirs, p):
+    """Their reader of files finds the picture in ours."""
+    picture = p.gray if p.color is None else p.color
+    same = np.array_equal(cv2.imdecode(ours.ravel().view(np.uint8), cv2.IMREAD_UNCHANGED), picture)
     return same, "our file holds the picture" if same else "our file holds another picture"
 
 
@@ -185,6 +194,19 @@ def _(p):
 def _(p):
     to, pairs = np.empty((p.h, p.w, 3), np.uint8), yuyv(p)
     return lambda: cv2.cvtColor(pairs, cv2.COLOR_YUV2RGB_YUYV, to)
+
+
+@row("NV12 to RGB", 0, within(2), gray="nv12", color="nv12")
+def _(p):
+    to = np.empty((p.h, p.w, 3), np.uint8)
+    planes = np.vstack([p.gray, p.color.ravel()[:p.w * p.h // 2].reshape(p.h // 2, p.w)])
+    return lambda: cv2.cvtColor(planes, cv2.COLOR_YUV2RGB_NV12, to)
+
+
+@row("Bayer to RGB", 0, within(1, 0.98), gray="coffee")
+def _(p):
+    to = np.empty((p.h, p.w, 3), np.uint8)
+    return lambda: cv2.cvtColor(p.gray, cv2.COLOR_BayerRGGB2RGB, to)
 
 
 @row("one channel of BGR", 0, exact, color="coffee")
@@ -246,6 +268,11 @@ def _(p):
     return lambda: cv2.calcHist([p.gray], [0], None, [256], [0, 256])
 
 
+@row("histogram of a mask", 0, lambda a, b, p: exact(a.ravel(), b.ravel(), p), gray="coffee", mask="coins")
+def _(p):
+    return lambda: cv2.calcHist([p.gray], [0], p.mask, [256], [0, 256])
+
+
 @row("equalize", 1, within(1), gray="coffee")
 def _(p):
     to = np.empty_like(p.gray)
@@ -300,17 +327,18 @@ def filters(name, goal, agree, call, gray="coffee"):
         return lambda: call(p.gray, to)
 
 
-SQUARE = np.ones((3, 3), np.uint8)
+SQUARE, LARGE = np.ones((3, 3), np.uint8), np.ones((15, 15), np.uint8)
 filters("box 3x3", 0, exact, lambda a, to: cv2.blur(a, (3, 3), to))
 filters("box 15x15", 0, within(1), lambda a, to: cv2.blur(a, (15, 15), to))
 filters("median 3x3", 0, exact, lambda a, to: cv2.medianBlur(a, 3, to))
 filters("median 5x5", 0, exact, lambda a, to: cv2.medianBlur(a, 5, to))
 filters("dilate 3x3", 2.5, exact, lambda a, to: cv2.dilate(a, SQUARE, to))
 filters("erode 3x3", 2.5, exact, lambda a, to: cv2.erode(a, SQUARE, to))
+filters("erode 15x15", 0, exact, lambda a, to: cv2.erode(a, LARGE, to))
 filters("open 3x3", 0, exact, lambda a, to: cv2.morphologyEx(a, cv2.MORPH_OPEN, SQUARE, to))
 filters("morphological gradient 3x3", 0, exact, lambda a, to: cv2.morphologyEx(a, cv2.MORPH_GRADIENT, SQUARE, to))
 filters("top-hat 15x15", 0, exact,
-        lambda a, to: cv2.morphologyEx(a, cv2.MORPH_TOPHAT, np.ones((15, 15), np.uint8), to))
+        lambda a, to: cv2.morphologyEx(a, cv2.MORPH_TOPHAT, LARGE, to))
 filters("mirror", 0, exact, lambda a, to: cv2.flip(a, 1, to))
 filters("copy", 0, exact, lambda a, to: cv2.copyTo(a, None, to))
 
@@ -321,18 +349,22 @@ def _(p):
     return lambda: cv2.addWeighted(p.gray, 1.5, cv2.GaussianBlur(p.gray, (5, 5), 0.8, blurred), -0.5, 0, to)
 
 
-def convolve(side, goal):
-    @row("convolve %dx%d" % (side, side), goal, within(1), gray="coffee")
-    def _(p):
-        i = np.arange(side * side)
-        weights = (5 * i * i + 3) % 16 - 4
-        kernel, to = (weights / weights.sum()).astype(np.float32).reshape(side, side), np.empty_like(p.gray)
-        return lambda: cv2.filter2D(p.gray, -1, kernel, to)
+def weights(side):
+    """Those of make_kernel in filter.c."""
+    i = np.arange(side * side)
+    taps = (5 * i * i + 3) % 16 - 4
+    return (taps / taps.sum()).astype(np.float32).reshape(side, side)
 
 
-convolve(3, 5)
-convolve(5, 4)
-convolve(7, 2.5)
+for side, aim in ((3, 5), (5, 4), (7, 2.5)):
+    filters("convolve %dx%d" % (side, side), aim, within(1),
+            lambda a, to, kernel=weights(side): cv2.filter2D(a, -1, kernel, to))
+
+
+@row("convolve 3x3 of color", 0, within(1), color="coffee")
+def _(p):
+    kernel, to = weights(3), np.empty_like(p.color)
+    return lambda: cv2.filter2D(p.color, -1, kernel, to)
 
 
 # --- edges ---
@@ -359,6 +391,17 @@ def _(p):
 def _(p):
     wide, to = np.empty((p.h, p.w), np.int16), np.empty_like(p.gray)
     return lambda: cv2.convertScaleAbs(cv2.Laplacian(p.gray, cv2.CV_16S, wide, 1), to)
+
+
+@row("Sobel, direction", 0, directions, gray="coffee")
+def _(p):
+    dx, dy, to = (np.empty((p.h, p.w), np.float32) for _ in range(3))
+
+    def direction():
+        cv2.Sobel(p.gray, cv2.CV_32F, 1, 0, dx)
+        cv2.Sobel(p.gray, cv2.CV_32F, 0, 1, dy)
+        return cv2.phase(dx, dy, to, True)
+    return direction
 
 
 filters("Canny, L1", 5, exact, lambda a, to: cv2.Canny(a, 50, 150, to))
@@ -388,6 +431,18 @@ def _(p):
 def _(p):
     to = np.empty_like(p.mask)
     return lambda: cv2.morphologyEx(p.mask, cv2.MORPH_OPEN, SQUARE, to)
+
+
+@row("close a mask 15x15", 0, exact, mask="coins")
+def _(p):
+    to = np.empty_like(p.mask)
+    return lambda: cv2.morphologyEx(p.mask, cv2.MORPH_CLOSE, LARGE, to)
+
+
+@row("hit-or-miss 3x3", 0, within(0, 0.999), mask="coins")
+def _(p):
+    to, corner = np.empty_like(p.mask), np.array([[0, 1, 0], [-1, 1, 1], [-1, -1, 0]])
+    return lambda: cv2.morphologyEx(p.mask, cv2.MORPH_HITMISS, corner, to)
 
 
 @row("distance, L1", 4, lambda a, b, p: exact(np.minimum(a, 255), b, p), mask="coins")
@@ -434,6 +489,19 @@ def _(p):
     size = p.w * 3 // 4, p.h * 3 // 4
     to = np.empty(size[::-1], np.uint8)
     return lambda: cv2.resize(p.gray, size, to, 0, 0, cv2.INTER_LINEAR)
+
+
+@row("two thirds of the size, nearest", 0, within(0, 0.99), gray="coffee")
+def _(p):
+    size = p.w * 2 // 3, p.h * 2 // 3
+    to = np.empty(size[::-1], np.uint8)
+    return lambda: cv2.resize(p.gray, size, to, 0, 0, cv2.INTER_NEAREST_EXACT)
+
+
+@row("pyramid, one level up", 0, within(1, 0.99), gray="coffee")
+def _(p):
+    to, quarter = np.empty_like(p.gray), p.gray[:p.h // 2, :p.w // 2]
+    return lambda: cv2.pyrUp(quarter, to, (p.w, p.h))
 
 
 @row("pyramid, one level down", 0, exact, gray="coffee")
@@ -486,6 +554,17 @@ def _(p):
     return lambda: cv2.imdecode(data, cv2.IMREAD_COLOR)
 
 
-@row("BMP24 encode in memory", 3, bmp, color="coffee")
+@row("BMP24 encode in memory", 3, file_of, color="coffee")
 def _(p):
     return lambda: cv2.imencode(".bmp", p.color)[1]
+
+
+@row("PGM decode in memory", 0, exact, gray="coffee")
+def _(p):
+    data = cv2.imencode(".pgm", p.gray)[1]
+    return lambda: cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
+
+
+@row("PGM encode in memory", 0, file_of, gray="coffee")
+def _(p):
+    return lambda: cv2.imencode(".pgm", p.gray)[1]
