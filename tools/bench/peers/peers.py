@@ -109,8 +109,10 @@ def compare(row, folder, size, ours, best):
     return row["agree"](mine, theirs, Pictures(folder, *size, row))
 
 
-def goal_of(row, port):
-    """PEERS.md's goals are for AVX2; with SSE 1.4 is asked where they say 2 or more, and nothing of plain C."""
+def goal_of(row, port, size):
+    """The goals are for AVX2 at 640x480; with SSE 1.4 is asked where they say 2 or more, and nothing of plain C."""
+    if size != (640, 480):
+        return 0
     if port == "avx2":
         return row["goal"]
     return 1.4 if port == "sse" and row["goal"] >= 2 else 0
@@ -133,7 +135,7 @@ def measure(row, folder, size, sides, options):
     ms = {side: statistics.median(t) / 1e6 for side, t in took.items()}
     best = min(able[1:], key=ms.get)
     agrees, how = compare(row, folder, size, ours, best)
-    goal, ratio = goal_of(row, options.port), ms[best] / ms[ours]
+    goal, ratio = goal_of(row, options.port, size), ms[best] / ms[ours]
     return dict(operation=row["name"], size="%dx%d" % size, ours=round(ms[ours], 5), theirs=round(ms[best], 5),
                 ratio=round(ratio, 3), agrees=bool(agrees), difference=how, peer=best.name,
                 peers={p.name: round(ms[p], 5) for p in able[1:]}, goal=goal or None,
