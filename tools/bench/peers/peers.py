@@ -119,8 +119,11 @@ def goal_of(row, port, size):
 
 
 def measure(row, folder, size, sides, options):
+    """One row of the table; None when no OpenCV here has the operation."""
     ours, *peers = sides
     able = [ours] + [p for p in peers if p.case(folder, size, row)]
+    if len(able) == 1:
+        return None
     ours.case(folder, size, row)
     calls = {side: side.calls_of_a_round() for side in able}
     took = {side: [] for side in able}
@@ -225,6 +228,9 @@ def main():
             if options.only in row["name"]:
                 progress(row["name"])
                 result = measure(row, folder, size, sides, options)
+                if result is None:
+                    print("%s: no OpenCV here has it" % row["name"])
+                    continue
                 if result["reached"] is False:
                     result["profile"] = profile(result, sides[0], folder, size)
                 del result["pictures"]
