@@ -26,17 +26,25 @@ iris_status iris_distance_transform(const iris_image *distance, const iris_image
     for (int32_t y = 0; y < h; y++) {
         uint16_t *row = (uint16_t *)iris_image_row(distance, y);
         iris_row_select_u16(row, (const uint32_t *)iris_image_row(mask, y), w);
+        if (metric == IRIS_DISTANCE_L1) { /* along the rows first, and then only down and up */
+            iris_row_spread_right_u16(row, steps.straight, w);
+            iris_row_spread_left_u16(row, steps.straight, w);
+        }
         if (y > 0) {
             iris_row_reach_u16(row, (const uint16_t *)iris_image_row(distance, y - 1), steps, w);
         }
-        iris_row_spread_right_u16(row, steps.straight, w);
+        if (metric == IRIS_DISTANCE_CHAMFER) {
+            iris_row_spread_right_u16(row, steps.straight, w);
+        }
     }
     for (int32_t y = h - 1; y >= 0; y--) {
         uint16_t *row = (uint16_t *)iris_image_row(distance, y);
         if (y < h - 1) {
             iris_row_reach_u16(row, (const uint16_t *)iris_image_row(distance, y + 1), steps, w);
         }
-        iris_row_spread_left_u16(row, steps.straight, w);
+        if (metric == IRIS_DISTANCE_CHAMFER) {
+            iris_row_spread_left_u16(row, steps.straight, w);
+        }
     }
     return IRIS_OK;
 }

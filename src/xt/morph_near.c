@@ -20,9 +20,9 @@ iris_morph_near iris_morph_near_of(const iris_image *src, const iris_morph_eleme
         src->w, channels, format == IRIS_MASK1, erodes, element->shape == IRIS_MORPH_CROSS, set ? ~0u : 0u};
 }
 
-static uint8_t join_samples(const iris_morph_near *near, uint8_t a, uint8_t b)
+static uint8_t larger(uint8_t a, uint8_t b)
 {
-    return (a < b) == near->erodes ? a : b;
+    return a > b ? a : b;
 }
 
 static void join(const iris_morph_near *near, uint8_t *dst, const uint8_t *a, const uint8_t *b,
@@ -85,19 +85,20 @@ void iris_morph_near_row(uint8_t *to, const uint8_t *const rows[3], const iris_m
 }
 
 /* The pixel whose samples are from `at` on, at the left or right edge; its neighbor within is at `beside`. level: null where
- * what is beyond is a copy of what is within. */
+ * what is beyond is a copy of what is within. The least is the largest of the negatives. */
 static void join_edge(uint8_t *to, const uint8_t *const rows[3], const iris_morph_near *near, int32_t at,
                       int32_t beside, const uint8_t *level)
 {
+    const uint8_t turn = near->erodes ? 255 : 0;
     for (int32_t c = 0; c < near->channels; c++) {
-        uint8_t joined = level ? level[c] : rows[1][at + c];
+        uint8_t joined = (level ? level[c] : rows[1][at + c]) ^ turn;
         for (int k = 0; k < 3; k++) {
-            joined = join_samples(near, joined, rows[k][at + c]);
+            joined = larger(joined, rows[k][at + c] ^ turn);
             if (k == 1 || !near->cross) {
-                joined = join_samples(near, joined, rows[k][beside + c]);
+                joined = larger(joined, rows[k][beside + c] ^ turn);
             }
         }
-        to[at + c] = joined;
+        to[at + c] = joined ^ turn;
     }
 }
 

@@ -8,4 +8,50 @@
 #undef IRIS_PORT_NAME
 #define IRIS_PORT_NAME "avx2"
 
+#undef IRIS_PORT_OVERRIDES
+#define IRIS_PORT_OVERRIDES 43
+
+void iris_row_luma_rgb888_avx2(uint8_t *dst, const uint8_t *src, int32_t n);
+#undef iris_row_luma_rgb888
+#define iris_row_luma_rgb888 iris_row_luma_rgb888_avx2
+
+void iris_row_luma_bgr888_avx2(uint8_t *dst, const uint8_t *src, int32_t n);
+#undef iris_row_luma_bgr888
+#define iris_row_luma_bgr888 iris_row_luma_bgr888_avx2
+
+void iris_row_luma_rgba8888_avx2(uint8_t *dst, const uint8_t *src, int32_t n);
+#undef iris_row_luma_rgba8888
+#define iris_row_luma_rgba8888 iris_row_luma_rgba8888_avx2
+
+void iris_row_above_u8_avx2(uint32_t *mask, const uint8_t *src, uint8_t limit, int32_t n);
+#undef iris_row_above_u8
+#define iris_row_above_u8 iris_row_above_u8_avx2
+
+void iris_row_max9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
+#undef iris_row_max9_u8
+#define iris_row_max9_u8 iris_row_max9_u8_avx2
+
+void iris_row_min9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
+#undef iris_row_min9_u8
+#define iris_row_min9_u8 iris_row_min9_u8_avx2
+
+void iris_row_select_u16_avx2(uint16_t *dst, const uint32_t *mask, int32_t n);
+#undef iris_row_select_u16
+#define iris_row_select_u16 iris_row_select_u16_avx2
+
+#undef iris_row_halve_u16
+#define iris_row_halve_u16 iris_row_halve_u16_c
+
+void iris_row_reach_u16_avx2(uint16_t *row, const uint16_t *other, iris_row_steps steps, int32_t n);
+#undef iris_row_reach_u16
+#define iris_row_reach_u16 iris_row_reach_u16_avx2
+
+void iris_row_spread_right_u16_avx2(uint16_t *row, uint16_t step, int32_t n);
+#undef iris_row_spread_right_u16
+#define iris_row_spread_right_u16 iris_row_spread_right_u16_avx2
+
+void iris_row_spread_left_u16_avx2(uint16_t *row, uint16_t step, int32_t n);
+#undef iris_row_spread_left_u16
+#define iris_row_spread_left_u16 iris_row_spread_left_u16_avx2
+
 #endif

@@ -1,0 +1,82 @@
+/* The largest and the smallest around, 32 samples at a time. */
+#include "vector.h"
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* `least` and `step` are constants in the following functions, so that each is compiled for all of them. */
+INLINE __m256i join(__m256i a, __m256i b, int least)
+{
+    return least ? _mm256_min_epu8(a, b) : _mm256_max_epu8(a, b);
+}
+
+/* The columns of three rows. */
+INLINE __m256i column_at(const uint8_t *const rows[3], int32_t i, int least)
+{
+    return join(join(load32(rows[0] + i), load32(rows[1] + i), least), load32(rows[2] + i), least);
+}
+
+INLINE __m256i around_at(const uint8_t *const rows[3], int32_t i, int32_t step, int least)
+{
+    __m256i beside = join(column_at(rows, i - step, least), column_at(rows, i + step, least), least);
+    return join(beside, column_at(rows, i, least), least);
+}
+
+/* The last half of `left` and the first one of `right`. */
+INLINE __m256i between(__m256i left, __m256i right)
+{
+    return _mm256_permute2x128_si256(left, right, 0x21);
+}
+
+INLINE __m256i before(__m256i middle, __m256i here, int32_t step)
+{
+    return step == 1 ? _mm256_alignr_epi8(here, middle, 15) : _mm256_alignr_epi8(here, middle, 13);
+}
+
+INLINE __m256i behind(__m256i here, __m256i middle, int32_t step)
+{
+    return step == 1 ? _mm256_alignr_epi8(middle, here, 1) : _mm256_alignr_epi8(middle, here, 3);
+}
+
+/* n >= 96. Each column is looked at once, as long as the next 32 are there. The second vector is the first one that dst has
+ * aligned, and overlaps the one before it, as the last one may. */
+INLINE void around_row(uint8_t *dst, const uint8_t *const from[3], int32_t step, int32_t n, int least)
+{
+    const uint8_t *const rows[3] = {from[0], from[1], from[2]};
+    int32_t i = 32 - (int32_t)((uintptr_t)dst % 32);
+    store32(dst, around_at(rows, 0, step, least));
+    store32(dst + i, around_at(rows, i, step, least));
+    __m256i here = column_at(rows, i + 32, least), left = between(column_at(rows, i, least), here);
+    for (i += 32; i < n - 63; i += 32) {
+        __m256i next = column_at(rows, i + 32, least), right = between(here, next);
+        __m256i beside = join(before(left, here, step), behind(here, right, step), least);
+        store32(dst + i, join(here, beside, least));
+        left = right;
+        here = next;
+    }
+    if (i < n - 32) {
+        store32(dst + i, around_at(rows, i, step, least));
+    }
+    store32(dst + n - 32, around_at(rows, n - 32, step, least));
+}
+
+void iris_row_max9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    if (n < 96) {
+        iris_row_max9_u8_sse(dst, rows, step, n);
+    } else if (step == 1) {
+        around_row(dst, rows, 1, n, 0);
+    } else {
+        around_row(dst, rows, 3, n, 0);
+    }
+}
+
+void iris_row_min9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
+{
+    if (n < 96) {
+        iris_row_min9_u8_sse(dst, rows, step, n);
+    } else if (step == 1) {
+        around_row(dst, rows, 1, n, 1);
+    } else {
+        around_row(dst, rows, 3, n, 1);
+    }
+}
