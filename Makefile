@@ -129,7 +129,7 @@ $(OUT)/src/%.o: src/%.c
 	$(SAY)
 	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) -fstack-usage -c -o $@ $<
 
-$(OUT)/src/foundation/kernel%.o: INTEGER := $(KERNELISA)
+$(OUT)/src/foundation/kerne%.o: INTEGER := $(KERNELISA)
 
 $(OUT)/port/cpu/%.o: port/cpu/%.c
 	@mkdir -p $(@D)

@@ -105,7 +105,8 @@ void iris_row_scan8_u8_c(iris_block8 *block, const uint8_t *src, int32_t n)
 void iris_row_slide_u32_c(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
 {
     for (int32_t i = 0; i < n; i++) {
-        sums[i] += (uint32_t)enter[i] - leave[i];
+        int32_t change = (int16_t)(enter[i] - leave[i]); /* narrow, so that a vector holds many */
+        sums[i] += (uint32_t)change;
     }
 }
 

@@ -20,11 +20,6 @@ iris_morph_near iris_morph_near_of(const iris_image *src, const iris_morph_eleme
         src->w, channels, format == IRIS_MASK1, erodes, element->shape == IRIS_MORPH_CROSS, set ? ~0u : 0u};
 }
 
-static uint8_t larger(uint8_t a, uint8_t b)
-{
-    return a > b ? a : b;
-}
-
 static void join(const iris_morph_near *near, uint8_t *dst, const uint8_t *a, const uint8_t *b,
                  const uint8_t *c, int32_t n)
 {
@@ -84,21 +79,28 @@ void iris_morph_near_row(uint8_t *to, const uint8_t *const rows[3], const iris_m
     }
 }
 
+static inline uint8_t larger(uint32_t a, uint32_t b)
+{
+    return (uint8_t)(a > b ? a : b);
+}
+
+/* Of three samples with the bits of `turn` turned. */
+static inline uint8_t largest(const uint8_t *const rows[3], int32_t at, uint8_t turn)
+{
+    return larger(larger(rows[0][at] ^ turn, rows[1][at] ^ turn), rows[2][at] ^ turn);
+}
+
 /* The pixel whose samples are from `at` on, at the left or right edge; its neighbor within is at `beside`. level: null where
  * what is beyond is a copy of what is within. The least is the largest of the negatives. */
-static void join_edge(uint8_t *to, const uint8_t *const rows[3], const iris_morph_near *near, int32_t at,
-                      int32_t beside, const uint8_t *level)
+static inline void join_edge(uint8_t *to, const uint8_t *const rows[3], const iris_morph_near *near,
+                             int32_t at, int32_t beside, const uint8_t *level)
 {
     const uint8_t turn = near->erodes ? 255 : 0;
     for (int32_t c = 0; c < near->channels; c++) {
-        uint8_t joined = (level ? level[c] : rows[1][at + c]) ^ turn;
-        for (int k = 0; k < 3; k++) {
-            joined = larger(joined, rows[k][at + c] ^ turn);
-            if (k == 1 || !near->cross) {
-                joined = larger(joined, rows[k][beside + c] ^ turn);
-            }
-        }
-        to[at + c] = joined ^ turn;
+        int32_t next = beside + c;
+        uint8_t within = near->cross ? rows[1][next] ^ turn : largest(rows, next, turn);
+        uint8_t joined = larger(within, largest(rows, at + c, turn));
+        to[at + c] = (level ? larger(joined, level[c] ^ turn) : joined) ^ turn;
     }
 }
 

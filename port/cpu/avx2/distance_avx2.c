@@ -81,13 +81,6 @@ static inline __m256i spread_left(__m256i v, __m256i step, __m256i ramp)
     return _mm256_min_epu16(v, _mm256_adds_epu16(carry, ramp));
 }
 
-/* Two bits for each pixel that is not above its neighbor by more than a step. */
-static inline uint32_t settled(__m256i v, __m256i neighbors, __m256i step)
-{
-    __m256i least = _mm256_min_epu16(v, _mm256_adds_epu16(neighbors, step));
-    return (uint32_t)_mm256_movemask_epi8(_mm256_cmpeq_epi16(least, v));
-}
-
 /* Steps of a ramp in each half, and along all sixteen. */
 static inline __m256i ramp_of(__m256i step, int16_t first, int16_t way)
 {
@@ -97,26 +90,20 @@ static inline __m256i ramp_of(__m256i step, int16_t first, int16_t way)
     return _mm256_mullo_epi16(count, step);
 }
 
-/* Most sixteens are all settled, or all but the one that has the others' neighbor. */
 void iris_row_spread_right_u16_avx2(uint16_t *row, uint16_t step, int32_t n)
 {
     const __m256i each = _mm256_set1_epi16((short)step), last = _mm256_set1_epi16(0x0f0e);
     const __m256i ramp = ramp_of(each, 1, 1), half = _mm256_permute4x64_epi64(ramp, 0x44);
-    __m256i previous = _mm256_set1_epi16(-1);
+    const __m256i sixteen = _mm256_slli_epi16(each, 4);
+    __m256i before = _mm256_set1_epi16(-1); /* the pixel before, sixteen times */
     int32_t i = 0;
     for (; i < n - 15; i += 16) {
-        __m256i v = load32(row + i);
-        __m256i middle = _mm256_permute2x128_si256(previous, v, 0x21);
-        uint32_t done = settled(v, _mm256_alignr_epi8(v, middle, 14), each);
-        if (done != ~0u) {
-            __m256i before = _mm256_shuffle_epi8(_mm256_permute4x64_epi64(previous, 0xff), last);
-            v = (done | 3u) == ~0u ? v : spread_right(v, each, half);
-            v = _mm256_min_epu16(v, _mm256_adds_epu16(before, ramp));
-            store32(row + i, v);
-        }
-        previous = v;
+        __m256i v = spread_right(load32(row + i), each, half);
+        store32(row + i, _mm256_min_epu16(v, _mm256_adds_epu16(before, ramp)));
+        v = _mm256_shuffle_epi8(_mm256_permute4x64_epi64(v, 0xff), last);
+        before = _mm256_min_epu16(v, _mm256_adds_epu16(before, sixteen));
     }
-    uint32_t left = (uint16_t)_mm256_extract_epi16(previous, 15);
+    uint32_t left = (uint16_t)_mm256_extract_epi16(before, 0);
     for (; i < n; i++) {
         left = left + step < row[i] ? left + step : row[i];
         row[i] = (uint16_t)left;
@@ -127,21 +114,16 @@ void iris_row_spread_left_u16_avx2(uint16_t *row, uint16_t step, int32_t n)
 {
     const __m256i each = _mm256_set1_epi16((short)step), first = _mm256_set1_epi16(0x0100);
     const __m256i ramp = ramp_of(each, 16, -1), half = _mm256_permute4x64_epi64(ramp, 0xee);
-    __m256i previous = _mm256_set1_epi16(-1);
+    const __m256i sixteen = _mm256_slli_epi16(each, 4);
+    __m256i before = _mm256_set1_epi16(-1);
     int32_t i = n;
     for (; i > 15; i -= 16) {
-        __m256i v = load32(row + i - 16);
-        __m256i middle = _mm256_permute2x128_si256(v, previous, 0x21);
-        uint32_t done = settled(v, _mm256_alignr_epi8(middle, v, 2), each);
-        if (done != ~0u) {
-            __m256i before = _mm256_shuffle_epi8(_mm256_permute4x64_epi64(previous, 0), first);
-            v = (done | 3u << 30) == ~0u ? v : spread_left(v, each, half);
-            v = _mm256_min_epu16(v, _mm256_adds_epu16(before, ramp));
-            store32(row + i - 16, v);
-        }
-        previous = v;
+        __m256i v = spread_left(load32(row + i - 16), each, half);
+        store32(row + i - 16, _mm256_min_epu16(v, _mm256_adds_epu16(before, ramp)));
+        v = _mm256_shuffle_epi8(_mm256_permute4x64_epi64(v, 0), first);
+        before = _mm256_min_epu16(v, _mm256_adds_epu16(before, sixteen));
     }
-    uint32_t right = (uint16_t)_mm256_extract_epi16(previous, 0);
+    uint32_t right = (uint16_t)_mm256_extract_epi16(before, 0);
     for (; i > 0; i--) {
         right = right + step < row[i - 1] ? right + step : row[i - 1];
         row[i - 1] = (uint16_t)right;

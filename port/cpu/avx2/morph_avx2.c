@@ -37,31 +37,28 @@ INLINE __m256i behind(__m256i here, __m256i middle, int32_t step)
     return step == 1 ? _mm256_alignr_epi8(middle, here, 1) : _mm256_alignr_epi8(middle, here, 3);
 }
 
-/* n >= 96. Each column is looked at once, as long as the next 32 are there. The second vector is the first one that dst has
- * aligned, and overlaps the one before it, as the last one may. */
+/* n >= 32. Each column is looked at once, as long as the next 32 are there. */
 INLINE void around_row(uint8_t *dst, const uint8_t *const from[3], int32_t step, int32_t n, int least)
 {
     const uint8_t *const rows[3] = {from[0], from[1], from[2]};
-    int32_t i = 32 - (int32_t)((uintptr_t)dst % 32);
-    store32(dst, around_at(rows, 0, step, least));
-    store32(dst + i, around_at(rows, i, step, least));
-    __m256i here = column_at(rows, i + 32, least), left = between(column_at(rows, i, least), here);
-    for (i += 32; i < n - 63; i += 32) {
-        __m256i next = column_at(rows, i + 32, least), right = between(here, next);
-        __m256i beside = join(before(left, here, step), behind(here, right, step), least);
-        store32(dst + i, join(here, beside, least));
-        left = right;
+    __m256i left = column_at(rows, -step, least), here = column_at(rows, 0, least);
+    int32_t i = 0;
+#pragma GCC unroll 2
+    for (; i < n - 63; i += 32) {
+        __m256i next = column_at(rows, i + 32, least), middle = between(here, next);
+        store32(dst + i, join(join(left, here, least), behind(here, middle, step), least));
+        left = before(middle, next, step);
         here = next;
     }
     if (i < n - 32) {
-        store32(dst + i, around_at(rows, i, step, least));
+        store32(dst + i, join(join(left, here, least), column_at(rows, i + step, least), least));
     }
     store32(dst + n - 32, around_at(rows, n - 32, step, least));
 }
 
 void iris_row_max9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    if (n < 96) {
+    if (n < 32) {
         iris_row_max9_u8_sse(dst, rows, step, n);
     } else if (step == 1) {
         around_row(dst, rows, 1, n, 0);
@@ -72,7 +69,7 @@ void iris_row_max9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t s
 
 void iris_row_min9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    if (n < 96) {
+    if (n < 32) {
         iris_row_min9_u8_sse(dst, rows, step, n);
     } else if (step == 1) {
         around_row(dst, rows, 1, n, 1);

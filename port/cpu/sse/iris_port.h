@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 43
+#define IRIS_PORT_OVERRIDES 41
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -21,12 +21,6 @@ void iris_row_above_u8_sse(uint32_t *mask, const uint8_t *src, uint8_t limit, in
 
 void iris_row_scan8_u8_sse(iris_block8 *block, const uint8_t *src, int32_t n);
 #define iris_row_scan8_u8 iris_row_scan8_u8_sse
-
-void iris_row_slide_u32_sse(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
-#define iris_row_slide_u32 iris_row_slide_u32_sse
-
-void iris_row_slide_u16_sse(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
-#define iris_row_slide_u16 iris_row_slide_u16_sse
 
 void iris_row_box_mean_u8_sse(uint8_t *dst, const uint16_t *columns, int32_t side, int32_t step, int32_t n);
 #define iris_row_box_mean_u8 iris_row_box_mean_u8_sse

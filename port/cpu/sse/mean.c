@@ -1,38 +1,5 @@
-/* Sums of columns, and gray levels against the mean of a window. */
+/* Gray levels against the mean of a window. */
 #include "vector.h"
-
-/* sums += differences, eight of them as signed words. */
-static inline void add_8(uint32_t *sums, __m128i differences)
-{
-    __m128i low = _mm_cvtepi16_epi32(differences);
-    __m128i high = _mm_cvtepi16_epi32(_mm_srli_si128(differences, 8));
-    store16(sums, _mm_add_epi32(load16(sums), low));
-    store16(sums + 4, _mm_add_epi32(load16(sums + 4), high));
-}
-
-void iris_row_slide_u32_sse(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
-{
-    const __m128i plus_minus = _mm_set1_epi16((short)0xff01); /* bytes 1 and -1 */
-    for (; n >= 16; n -= 16, sums += 16, enter += 16, leave += 16) {
-        __m128i in = load16(enter), out = load16(leave);
-        add_8(sums, _mm_maddubs_epi16(_mm_unpacklo_epi8(in, out), plus_minus));
-        add_8(sums + 8, _mm_maddubs_epi16(_mm_unpackhi_epi8(in, out), plus_minus));
-    }
-    iris_row_slide_u32_c(sums, enter, leave, n);
-}
-
-void iris_row_slide_u16_sse(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
-{
-    const __m128i plus_minus = _mm_set1_epi16((short)0xff01); /* bytes 1 and -1 */
-    for (; n >= 16; n -= 16, sums += 16, enter += 16, leave += 16) {
-        __m128i in = load16(enter), out = load16(leave);
-        __m128i low = _mm_maddubs_epi16(_mm_unpacklo_epi8(in, out), plus_minus);
-        __m128i high = _mm_maddubs_epi16(_mm_unpackhi_epi8(in, out), plus_minus);
-        store16(sums, _mm_add_epi16(load16(sums), low));
-        store16(sums + 8, _mm_add_epi16(load16(sums + 8), high));
-    }
-    iris_row_slide_u16_c(sums, enter, leave, n);
-}
 
 typedef struct {
     __m128i total; /* of the window before the next pixel's last column, four times */

@@ -1,92 +1,75 @@
 /* The largest and the smallest around, sixteen samples at a time; joined masks, four words at a time. */
 #include "vector.h"
 
-static inline __m128i max3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+#define INLINE static inline __attribute__((always_inline))
+
+/* `least` and `step` are constants in the following functions, so that each is compiled for all of them. */
+INLINE __m128i join(__m128i a, __m128i b, int least)
 {
-    return _mm_max_epu8(_mm_max_epu8(load16(a + i), load16(b + i)), load16(c + i));
+    return least ? _mm_min_epu8(a, b) : _mm_max_epu8(a, b);
 }
 
-static inline __m128i min3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+/* The columns of three rows. */
+INLINE __m128i column_at(const uint8_t *const rows[3], int32_t i, int least)
 {
-    return _mm_min_epu8(_mm_min_epu8(load16(a + i), load16(b + i)), load16(c + i));
+    return join(join(load16(rows[0] + i), load16(rows[1] + i), least), load16(rows[2] + i), least);
 }
 
-/* Sixteen from `step` before here on, and from `step` behind; step is a constant. */
-#define BEFORE(left, here, step)  _mm_alignr_epi8(here, left, 16 - (step))
-#define BEHIND(here, right, step) _mm_alignr_epi8(right, here, step)
-
-/* The largest of three columns around. */
-static inline __m128i max9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
+INLINE __m128i around_at(const uint8_t *const rows[3], int32_t i, int32_t step, int least)
 {
-    __m128i left = max3_at(rows[0], rows[1], rows[2], i - step), here = max3_at(rows[0], rows[1], rows[2], i);
-    return _mm_max_epu8(_mm_max_epu8(left, here), max3_at(rows[0], rows[1], rows[2], i + step));
+    __m128i beside = join(column_at(rows, i - step, least), column_at(rows, i + step, least), least);
+    return join(beside, column_at(rows, i, least), least);
 }
 
-/* The same of sixteen and sixteen more from pixel 16 on, as long as the next sixteen can be looked at. */
-#define MAX9_INNER(step)                                                                                     \
-    for (int32_t i = 16; i < n - 31; i += 16) {                                                              \
-        __m128i right = max3_at(a, b, c, i + 16);                                                            \
-        __m128i beside = _mm_max_epu8(BEFORE(left, here, step), BEHIND(here, right, step));                  \
-        store16(dst + i, _mm_max_epu8(here, beside));                                                        \
-        left = here;                                                                                         \
-        here = right;                                                                                        \
+/* What is `step` before `right` and behind `left`, of two that follow on one another. */
+INLINE __m128i before(__m128i left, __m128i right, int32_t step)
+{
+    return step == 1 ? _mm_alignr_epi8(right, left, 15) : _mm_alignr_epi8(right, left, 13);
+}
+
+INLINE __m128i behind(__m128i left, __m128i right, int32_t step)
+{
+    return step == 1 ? _mm_alignr_epi8(right, left, 1) : _mm_alignr_epi8(right, left, 3);
+}
+
+/* n >= 16. Each column is looked at once, as long as the next sixteen are there. */
+INLINE void around_row(uint8_t *dst, const uint8_t *const from[3], int32_t step, int32_t n, int least)
+{
+    const uint8_t *const rows[3] = {from[0], from[1], from[2]};
+    __m128i left = column_at(rows, -step, least), here = column_at(rows, 0, least);
+    int32_t i = 0;
+    for (; i < n - 31; i += 16) {
+        __m128i next = column_at(rows, i + 16, least);
+        store16(dst + i, join(join(left, here, least), behind(here, next, step), least));
+        left = before(here, next, step);
+        here = next;
     }
+    if (i < n - 16) {
+        store16(dst + i, join(join(left, here, least), column_at(rows, i + step, least), least));
+    }
+    store16(dst + n - 16, around_at(rows, n - 16, step, least));
+}
 
 void iris_row_max9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    if (n < 32) {
+    if (n < 16) {
         iris_row_max9_u8_c(dst, rows, step, n);
-        return;
-    }
-    const uint8_t *a = rows[0], *b = rows[1], *c = rows[2];
-    __m128i left = max3_at(a, b, c, 0), here = max3_at(a, b, c, 16);
-    store16(dst, max9_at(rows, step, 0));
-    if (step == 1) {
-        MAX9_INNER(1)
+    } else if (step == 1) {
+        around_row(dst, rows, 1, n, 0);
     } else {
-        MAX9_INNER(3)
+        around_row(dst, rows, 3, n, 0);
     }
-    if (n > 32) {
-        store16(dst + n - 32, max9_at(rows, step, n - 32));
-    }
-    store16(dst + n - 16, max9_at(rows, step, n - 16));
 }
-
-/* The smallest of three columns around. */
-static inline __m128i min9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
-{
-    __m128i left = min3_at(rows[0], rows[1], rows[2], i - step), here = min3_at(rows[0], rows[1], rows[2], i);
-    return _mm_min_epu8(_mm_min_epu8(left, here), min3_at(rows[0], rows[1], rows[2], i + step));
-}
-
-/* The same of sixteen and sixteen more from pixel 16 on, as long as the next sixteen can be looked at. */
-#define MIN9_INNER(step)                                                                                     \
-    for (int32_t i = 16; i < n - 31; i += 16) {                                                              \
-        __m128i right = min3_at(a, b, c, i + 16);                                                            \
-        __m128i beside = _mm_min_epu8(BEFORE(left, here, step), BEHIND(here, right, step));                  \
-        store16(dst + i, _mm_min_epu8(here, beside));                                                        \
-        left = here;                                                                                         \
-        here = right;                                                                                        \
-    }
 
 void iris_row_min9_u8_sse(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    if (n < 32) {
+    if (n < 16) {
         iris_row_min9_u8_c(dst, rows, step, n);
-        return;
-    }
-    const uint8_t *a = rows[0], *b = rows[1], *c = rows[2];
-    __m128i left = min3_at(a, b, c, 0), here = min3_at(a, b, c, 16);
-    store16(dst, min9_at(rows, step, 0));
-    if (step == 1) {
-        MIN9_INNER(1)
+    } else if (step == 1) {
+        around_row(dst, rows, 1, n, 1);
     } else {
-        MIN9_INNER(3)
+        around_row(dst, rows, 3, n, 1);
     }
-    if (n > 32) {
-        store16(dst + n - 32, min9_at(rows, step, n - 32));
-    }
-    store16(dst + n - 16, min9_at(rows, step, n - 16));
 }
 
 /* `all` is a constant in the following functions, so that each is compiled for both. */
