@@ -129,6 +129,7 @@ $(OUT)/src/%.o: src/%.c
 	$(SAY)
 	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) -fstack-usage -c -o $@ $<
 
+# A % stands for at least one letter, of kernel.o too.
 $(OUT)/src/foundation/kerne%.o: INTEGER := $(KERNELISA)
 
 $(OUT)/port/cpu/%.o: port/cpu/%.c

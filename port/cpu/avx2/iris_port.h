@@ -54,4 +54,29 @@ void iris_row_spread_left_u16_avx2(uint16_t *row, uint16_t step, int32_t n);
 #undef iris_row_spread_left_u16
 #define iris_row_spread_left_u16 iris_row_spread_left_u16_avx2
 
+void iris_row_median9_u8_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
+#undef iris_row_median9_u8
+#define iris_row_median9_u8 iris_row_median9_u8_avx2
+
+void iris_row_sort5_u8_avx2(uint8_t *const sorted[5], const uint8_t *const rows[5], int32_t n);
+#undef iris_row_sort5_u8
+#define iris_row_sort5_u8 iris_row_sort5_u8_avx2
+
+void iris_row_median25_u8_avx2(uint8_t *dst, const uint8_t *const sorted[5], int32_t step, int32_t n);
+#undef iris_row_median25_u8
+#define iris_row_median25_u8 iris_row_median25_u8_avx2
+
+void iris_row_rgb888_nv12_avx2(uint8_t *dst, const uint8_t *luma, const uint8_t *chroma, int32_t n);
+#undef iris_row_rgb888_nv12
+#define iris_row_rgb888_nv12 iris_row_rgb888_nv12_avx2
+
+void iris_row_888_bayer_avx2(uint8_t *dst, const uint8_t *const rows[3], int32_t own, int32_t green,
+                             int32_t n);
+#undef iris_row_888_bayer
+#define iris_row_888_bayer iris_row_888_bayer_avx2
+
+void iris_row_box_mean_u8_avx2(uint8_t *dst, const uint16_t *columns, int32_t side, int32_t step, int32_t n);
+#undef iris_row_box_mean_u8
+#define iris_row_box_mean_u8 iris_row_box_mean_u8_avx2
+
 #endif

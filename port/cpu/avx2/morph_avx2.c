@@ -1,8 +1,6 @@
 /* The largest and the smallest around, 32 samples at a time. */
 #include "vector.h"
 
-#define INLINE static inline __attribute__((always_inline))
-
 /* `least` and `step` are constants in the following functions, so that each is compiled for all of them. */
 INLINE __m256i join(__m256i a, __m256i b, int least)
 {
@@ -19,22 +17,6 @@ INLINE __m256i around_at(const uint8_t *const rows[3], int32_t i, int32_t step, 
 {
     __m256i beside = join(column_at(rows, i - step, least), column_at(rows, i + step, least), least);
     return join(beside, column_at(rows, i, least), least);
-}
-
-/* The last half of `left` and the first one of `right`. */
-INLINE __m256i between(__m256i left, __m256i right)
-{
-    return _mm256_permute2x128_si256(left, right, 0x21);
-}
-
-INLINE __m256i before(__m256i middle, __m256i here, int32_t step)
-{
-    return step == 1 ? _mm256_alignr_epi8(here, middle, 15) : _mm256_alignr_epi8(here, middle, 13);
-}
-
-INLINE __m256i behind(__m256i here, __m256i middle, int32_t step)
-{
-    return step == 1 ? _mm256_alignr_epi8(middle, here, 1) : _mm256_alignr_epi8(middle, here, 3);
 }
 
 /* n >= 32. Each column is looked at once, as long as the next 32 are there. */
