@@ -79,4 +79,9 @@ void iris_row_box_mean_u8_avx2(uint8_t *dst, const uint16_t *columns, int32_t si
 #undef iris_row_box_mean_u8
 #define iris_row_box_mean_u8 iris_row_box_mean_u8_avx2
 
+void iris_row_above_mean_u8_avx2(uint32_t *mask, const uint8_t *src, const uint32_t *sums,
+                                 iris_row_window window, int32_t n);
+#undef iris_row_above_mean_u8
+#define iris_row_above_mean_u8 iris_row_above_mean_u8_avx2
+
 #endif
