@@ -52,7 +52,7 @@ endif
 comma    := ,
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-larger-than=1024) -Werror -std=c99 -pedantic
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
-POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE
+POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE -D_FILE_OFFSET_BITS=64
 INTEGER  := -mgeneral-regs-only
 PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3)$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
 # The plain bodies of row kernels, too, are made with all that a port with vectors may use: what the compiler does well

@@ -17,8 +17,8 @@ enum { POOL = 1 << 20, VIEWS = 16, BLOCKS = 4096, MARGIN = 64 };
 
 typedef enum { SCRATCH_UNKNOWN, SCRATCH_ENOUGH, SCRATCH_SHORT } scratch_kind;
 
-/* Everything that a call gets, and what is known about it. */
-static struct {
+/* Everything that a call gets, and what is known about it; aligned as scratch is to be. */
+static struct __attribute__((aligned(IRIS_SCRATCH_ALIGN))) {
     union {
         uint8_t bytes[POOL];
         uint64_t words[POOL / 8];
