@@ -1,4 +1,4 @@
-/* From lanes to bits. */
+/* From lanes to bits, and from a table to lanes. */
 #ifndef IRIS_NEON_BITS_H
 #define IRIS_NEON_BITS_H
 
@@ -6,6 +6,12 @@
 #include <stdint.h>
 
 #include "kernel.h"
+
+/* Parameters that are constants where a function is called are so within it, too. */
+#define INLINE static inline __attribute__((always_inline))
+
+/* A pointer is to hold its value here: it then moves on as part of a load or a store, which costs nothing. */
+#define HERE(pointer) __asm__("" : "+r"(pointer))
 
 /* 32 lanes, each all ones or zero, as the bits of the first 4 bytes, lane 0 in the lowest bit of byte 0. */
 static inline uint8x8_t bits_of_32(uint8x16_t first, uint8x16_t second)
@@ -23,6 +29,16 @@ static inline uint8x8_t bits_of_32(uint8x16_t first, uint8x16_t second)
 static inline uint32_t word_of_32(uint8x16_t first, uint8x16_t second)
 {
     return vget_lane_u32(vreinterpret_u32_u8(bits_of_32(first, second)), 0);
+}
+
+/* table[index]; index 0 to 7. */
+static inline uint8x16_t look_up(uint8x8_t table, uint8x16_t index)
+{
+#ifdef __aarch64__
+    return vqtbl1q_u8(vcombine_u8(table, table), index);
+#else
+    return vcombine_u8(vtbl1_u8(table, vget_low_u8(index)), vtbl1_u8(table, vget_high_u8(index)));
+#endif
 }
 
 #endif

@@ -42,20 +42,6 @@ void iris_row_rgb888_nv12_neon(uint8_t *dst, const uint8_t *luma, const uint8_t 
     iris_row_rgb888_nv12_c(dst, luma, chroma, n);
 }
 
-/* n >= 16. The last 16 may overlap those before them: dst and src are disjoint. */
-void iris_row_every_second_u8_neon(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n)
-{
-    if (n < 16) {
-        iris_row_every_second_u8_c(dst, src, which, n);
-        return;
-    }
-    for (int32_t x = 0; x < n; x += 16) {
-        x = x > n - 16 ? n - 16 : x;
-        uint8x16x2_t pairs = vld2q_u8(src + 2 * x);
-        vst1q_u8(dst + x, which ? pairs.val[1] : pairs.val[0]);
-    }
-}
-
 /* ---- Bayer ---- */
 
 static inline uint16x8_t odd_bytes(uint8x16_t bytes)

@@ -1,75 +1,79 @@
 /* Edges: gradients, their sizes against limits, and where they are greatest. */
 #include "bits.h"
 
-static inline int16x8_t minus(uint8x8_t a, uint8x8_t b)
+/* Sixteen numbers. */
+typedef struct {
+    int16x8_t low, high;
+} halves;
+
+INLINE halves minus(uint8x16_t a, uint8x16_t b)
 {
-    return vreinterpretq_s16_u16(vsubl_u8(a, b));
+    return (halves){vreinterpretq_s16_u16(vsubl_u8(vget_low_u8(a), vget_low_u8(b))),
+                    vreinterpretq_s16_u16(vsubl_u8(vget_high_u8(a), vget_high_u8(b)))};
 }
 
 /* The sum of three differences, and of the middle one what `more` (times 256) says, or all of it. */
-static inline int16x8_t weigh(int16x8_t one, int16x8_t middle, int16x8_t other, int16x8_t more, int is_sobel)
+INLINE int16x8_t weigh(int16x8_t one, int16x8_t middle, int16x8_t other, int16x8_t more, int is_sobel)
 {
     int16x8_t extra = is_sobel ? middle : vqrdmulhq_s16(middle, more);
     return vaddq_s16(vaddq_s16(one, other), vaddq_s16(middle, extra));
 }
 
-/* Eight pixels from i on. */
-static inline void gradient_8(const iris_row_gradient *to, const uint8_t *const rows[3], int16x8_t more,
-                              int is_sobel, int32_t i)
+INLINE halves weigh_all(halves one, halves middle, halves other, int16x8_t more, int is_sobel)
+{
+    return (halves){weigh(one.low, middle.low, other.low, more, is_sobel),
+                    weigh(one.high, middle.high, other.high, more, is_sobel)};
+}
+
+INLINE void store(int16_t *to, halves values)
+{
+    vst1q_s16(to, values.low);
+    vst1q_s16(to + 8, values.high);
+}
+
+INLINE int16x8_t size_of(int16x8_t dx, int16x8_t dy)
+{
+    return vaddq_s16(vabsq_s16(dx), vabsq_s16(dy));
+}
+
+/* Sixteen pixels from i on. */
+INLINE void gradient_16(const iris_row_gradient *to, const uint8_t *const rows[3], int16x8_t more,
+                        int is_sobel, int32_t i)
 {
     const uint8_t *above = rows[0] + i, *here = rows[1] + i, *below = rows[2] + i;
-    uint8x8_t above_left = vld1_u8(above - 1), above_right = vld1_u8(above + 1);
-    uint8x8_t below_left = vld1_u8(below - 1), below_right = vld1_u8(below + 1);
-    int16x8_t dx = weigh(minus(above_right, above_left), minus(vld1_u8(here + 1), vld1_u8(here - 1)),
-                         minus(below_right, below_left), more, is_sobel);
-    int16x8_t dy = weigh(minus(below_left, above_left), minus(vld1_u8(below), vld1_u8(above)),
-                         minus(below_right, above_right), more, is_sobel);
-    vst1q_s16(to->dx + i, dx);
-    vst1q_s16(to->dy + i, dy);
-    vst1q_s16(to->size + i, vaddq_s16(vabsq_s16(dx), vabsq_s16(dy)));
+    uint8x16_t above_left = vld1q_u8(above - 1), above_right = vld1q_u8(above + 1);
+    uint8x16_t below_left = vld1q_u8(below - 1), below_right = vld1q_u8(below + 1);
+    halves dx = weigh_all(minus(above_right, above_left), minus(vld1q_u8(here + 1), vld1q_u8(here - 1)),
+                          minus(below_right, below_left), more, is_sobel);
+    store(to->dx + i, dx);
+    halves dy = weigh_all(minus(below_left, above_left), minus(vld1q_u8(below), vld1q_u8(above)),
+                          minus(below_right, above_right), more, is_sobel);
+    store(to->dy + i, dy);
+    store(to->size + i, (halves){size_of(dx.low, dy.low), size_of(dx.high, dy.high)});
 }
 
-static inline void gradient(const iris_row_gradient *to, const uint8_t *const rows[3], int16x8_t more,
-                            int is_sobel, int32_t n)
+/* The last sixteen pixels may be some that were done before. */
+INLINE void gradient(const iris_row_gradient *to, const uint8_t *const rows[3], int16x8_t more, int is_sobel,
+                     int32_t n)
 {
-    for (int32_t i = 0; i + 8 <= n; i += 8) {
-        gradient_8(to, rows, more, is_sobel, i);
+    const iris_row_gradient out = *to;
+    const uint8_t *const from[3] = {rows[0], rows[1], rows[2]};
+    for (int32_t i = 0; i < n - 16; i += 16) {
+        gradient_16(&out, from, more, is_sobel, i);
     }
-    gradient_8(to, rows, more, is_sobel, n - 8);
+    gradient_16(&out, from, more, is_sobel, n - 16);
 }
 
-/* The last eight pixels may be some that were done before. */
 void iris_row_gradient_u8_neon(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
                                int32_t n)
 {
-    if (n < 8) {
+    if (n < 16) {
         iris_row_gradient_u8_c(to, rows, more, n);
     } else if (more == 128) {
         gradient(to, rows, vdupq_n_s16(0), 1, n);
     } else {
         gradient(to, rows, vdupq_n_s16((int16_t)(more * 256)), 0, n);
     }
-}
-
-static inline int16x8_t laplacian_8(const uint8_t *const rows[3], int32_t i)
-{
-    uint16x8_t upright = vaddl_u8(vld1_u8(rows[0] + i), vld1_u8(rows[2] + i));
-    uint16x8_t level = vaddl_u8(vld1_u8(rows[1] + i - 1), vld1_u8(rows[1] + i + 1));
-    uint16x8_t four = vshll_n_u8(vld1_u8(rows[1] + i), 2);
-    return vreinterpretq_s16_u16(vsubq_u16(vaddq_u16(upright, level), four));
-}
-
-/* The last eight pixels may be some that were done before. */
-void iris_row_laplacian_u8_neon(int16_t *dst, const uint8_t *const rows[3], int32_t n)
-{
-    if (n < 8) {
-        iris_row_laplacian_u8_c(dst, rows, n);
-        return;
-    }
-    for (int32_t i = 0; i + 8 <= n; i += 8) {
-        vst1q_s16(dst + i, laplacian_8(rows, i));
-    }
-    vst1q_s16(dst + n - 8, laplacian_8(rows, n - 8));
 }
 
 typedef struct {

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 52
+#define IRIS_PORT_OVERRIDES 39
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -47,27 +47,12 @@ void iris_row_sort5_u8_neon(uint8_t *const sorted[5], const uint8_t *const rows[
 void iris_row_median25_u8_neon(uint8_t *dst, const uint8_t *const sorted[5], int32_t step, int32_t n);
 #define iris_row_median25_u8 iris_row_median25_u8_neon
 
-void iris_row_max3_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
-#define iris_row_max3_u8 iris_row_max3_u8_neon
-
-void iris_row_min3_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n);
-#define iris_row_min3_u8 iris_row_min3_u8_neon
-
-void iris_row_minus_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n);
-#define iris_row_minus_u8 iris_row_minus_u8_neon
-
 void iris_row_join3_mask_neon(uint32_t *dst, const uint32_t *src, const int32_t at[3], uint32_t all,
                               int32_t words);
 #define iris_row_join3_mask iris_row_join3_mask_neon
-void iris_row_join_rows_mask_neon(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
-                                  uint32_t all, int32_t words);
-#define iris_row_join_rows_mask iris_row_join_rows_mask_neon
 void iris_row_join9_mask_neon(uint32_t *dst, const uint32_t *const rows[3], const uint32_t beside[2],
                               uint32_t all, int32_t words);
 #define iris_row_join9_mask iris_row_join9_mask_neon
-void iris_row_agree_mask_neon(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words);
-#define iris_row_agree_mask iris_row_agree_mask_neon
-
 void iris_row_select_u16_neon(uint16_t *dst, const uint32_t *mask, int32_t n);
 #define iris_row_select_u16 iris_row_select_u16_neon
 
@@ -86,12 +71,6 @@ void iris_row_rgb888_nv12_neon(uint8_t *dst, const uint8_t *luma, const uint8_t 
 void iris_row_888_bayer_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t own, int32_t green,
                              int32_t n);
 #define iris_row_888_bayer iris_row_888_bayer_neon
-
-void iris_row_binomial5_u8_neon(uint16_t *sums, const uint8_t *const rows[5], int32_t n);
-#define iris_row_binomial5_u8 iris_row_binomial5_u8_neon
-
-void iris_row_halve_u16_neon(uint8_t *dst, const uint16_t *sums, int32_t n);
-#define iris_row_halve_u16 iris_row_halve_u16_neon
 
 void iris_row_integral_u8_neon(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
 #define iris_row_integral_u8 iris_row_integral_u8_neon
@@ -116,9 +95,6 @@ void iris_row_bell_across_u8_neon(uint8_t *dst, const int16_t *src, const int16_
 
 void iris_row_luma_rgba8888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgba8888 iris_row_luma_rgba8888_neon
-
-void iris_row_every_second_u8_neon(uint8_t *dst, const uint8_t *src, int32_t which, int32_t n);
-#define iris_row_every_second_u8 iris_row_every_second_u8_neon
 
 void iris_row_gradient_u8_neon(const iris_row_gradient *to, const uint8_t *const rows[3], int32_t more,
                                int32_t n);
@@ -152,26 +128,9 @@ void iris_row_wide_across_u8_neon(uint8_t *dst, const int16_t *src, const int16_
                                   int32_t step, int32_t n);
 #define iris_row_wide_across_u8 iris_row_wide_across_u8_neon
 
-void iris_row_taps_u8_neon(int32_t *sums, const iris_row_tap *taps, int32_t count, int32_t n);
-#define iris_row_taps_u8 iris_row_taps_u8_neon
-
 void iris_row_filter_u8_neon(uint8_t *dst, const iris_row_tap *taps, int32_t count,
                              const iris_row_quotient *quotient, int32_t n);
 #define iris_row_filter_u8 iris_row_filter_u8_neon
-
-void iris_row_settle_u8_neon(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n);
-#define iris_row_settle_u8 iris_row_settle_u8_neon
-
-void iris_row_taps_s32_neon(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
-                            int32_t step, int32_t n);
-#define iris_row_taps_s32 iris_row_taps_s32_neon
-
-void iris_row_filter_s32_neon(uint8_t *dst, const int32_t *src, const iris_row_line *line,
-                              const iris_row_quotient *quotient, int32_t n);
-#define iris_row_filter_s32 iris_row_filter_s32_neon
-
-void iris_row_laplacian_u8_neon(int16_t *dst, const uint8_t *const rows[3], int32_t n);
-#define iris_row_laplacian_u8 iris_row_laplacian_u8_neon
 
 void iris_row_crossings_s16_neon(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n);
 #define iris_row_crossings_s16 iris_row_crossings_s16_neon

@@ -1,136 +1,89 @@
-/* The largest, the smallest, and differences, sixteen samples at a time; joined masks, four words at a time. The last
- * vector is looked at first: where a row is changed in place, it cannot be looked at again. */
-#include <arm_neon.h>
+/* The largest and the smallest around, sixteen samples at a time; joined masks, four words at a time. */
+#include "bits.h"
 
-#include "kernel.h"
-
-static inline uint8x16_t max3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+/* is_max and step are constants in the following functions, so that each is compiled for all of them. */
+INLINE uint8x16_t of_two(uint8x16_t a, uint8x16_t b, int is_max)
 {
-    return vmaxq_u8(vmaxq_u8(vld1q_u8(a + i), vld1q_u8(b + i)), vld1q_u8(c + i));
+    return is_max ? vmaxq_u8(a, b) : vminq_u8(a, b);
 }
 
-static inline uint8x16_t min3_at(const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t i)
+/* Of three rows. */
+INLINE uint8x16_t of_column(const uint8_t *a, const uint8_t *b, const uint8_t *c, int is_max)
 {
-    return vminq_u8(vminq_u8(vld1q_u8(a + i), vld1q_u8(b + i)), vld1q_u8(c + i));
+    return of_two(of_two(vld1q_u8(a), vld1q_u8(b), is_max), vld1q_u8(c), is_max);
 }
 
-void iris_row_max3_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+typedef struct {
+    const uint8_t *a, *b, *c;
+} columns;
+
+INLINE uint8x16_t next_columns(columns *at, int is_max)
 {
-    if (n < 16) {
-        iris_row_max3_u8_c(dst, a, b, c, n);
-        return;
-    }
-    uint8x16_t last = max3_at(a, b, c, n - 16);
-    for (int32_t i = 0; i < n - 16; i += 16) {
-        vst1q_u8(dst + i, max3_at(a, b, c, i));
-    }
-    vst1q_u8(dst + n - 16, last);
+    uint8x16_t next = of_column(at->a, at->b, at->c, is_max);
+    at->a += 16;
+    at->b += 16;
+    at->c += 16;
+    HERE(at->a);
+    HERE(at->b);
+    HERE(at->c);
+    return next;
 }
 
-void iris_row_min3_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, const uint8_t *c, int32_t n)
+/* Of three columns around, from `step` before the first pixel on. */
+#define OF_BESIDE(left, right, step, is_max)                                                                 \
+    of_two(of_two(left, vextq_u8(left, right, step), is_max), vextq_u8(left, right, 2 * (step)), is_max)
+
+INLINE uint8x16_t of_9(const uint8_t *const rows[3], int32_t step, int is_max, int32_t i)
 {
-    if (n < 16) {
-        iris_row_min3_u8_c(dst, a, b, c, n);
-        return;
-    }
-    uint8x16_t last = min3_at(a, b, c, n - 16);
-    for (int32_t i = 0; i < n - 16; i += 16) {
-        vst1q_u8(dst + i, min3_at(a, b, c, i));
-    }
-    vst1q_u8(dst + n - 16, last);
+    const uint8_t *a = rows[0] + i, *b = rows[1] + i, *c = rows[2] + i;
+    uint8x16_t beside = of_two(of_column(a - step, b - step, c - step, is_max),
+                               of_column(a + step, b + step, c + step, is_max), is_max);
+    return of_two(of_column(a, b, c, is_max), beside, is_max);
 }
 
-void iris_row_minus_u8_neon(uint8_t *dst, const uint8_t *a, const uint8_t *b, int32_t n)
-{
-    if (n < 16) {
-        iris_row_minus_u8_c(dst, a, b, n);
-        return;
-    }
-    uint8x16_t last = vqsubq_u8(vld1q_u8(a + n - 16), vld1q_u8(b + n - 16));
-    for (int32_t i = 0; i < n - 16; i += 16) {
-        vst1q_u8(dst + i, vqsubq_u8(vld1q_u8(a + i), vld1q_u8(b + i)));
-    }
-    vst1q_u8(dst + n - 16, last);
-}
-
-/* Sixteen from `step` before here on, and from `step` behind; step is a constant. */
-#define BEFORE(left, here, step)  vextq_u8(left, here, 16 - (step))
-#define BEHIND(here, right, step) vextq_u8(here, right, step)
-
-/* The largest of three columns around. */
-static inline uint8x16_t max9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
-{
-    uint8x16_t left = max3_at(rows[0], rows[1], rows[2], i - step),
-               here = max3_at(rows[0], rows[1], rows[2], i);
-    return vmaxq_u8(vmaxq_u8(left, here), max3_at(rows[0], rows[1], rows[2], i + step));
-}
-
-/* The same of sixteen and sixteen more from pixel 16 on, as long as the next sixteen can be looked at. */
-#define MAX9_INNER(step)                                                                                     \
-    for (int32_t i = 16; i < n - 31; i += 16) {                                                              \
-        uint8x16_t right = max3_at(a, b, c, i + 16);                                                         \
-        uint8x16_t beside = vmaxq_u8(BEFORE(left, here, step), BEHIND(here, right, step));                   \
-        vst1q_u8(dst + i, vmaxq_u8(here, beside));                                                           \
-        left = here;                                                                                         \
-        here = right;                                                                                        \
-    }
+/* Each column is looked at once, but for the last vectors; those overlap what is done. */
+#define ROW_OF_9(step, is_max)                                                                               \
+    do {                                                                                                     \
+        columns at = {rows[0] - (step), rows[1] - (step), rows[2] - (step)};                                 \
+        uint8x16_t left = next_columns(&at, is_max);                                                         \
+        uint8_t *to = dst;                                                                                   \
+        int32_t i = 0;                                                                                       \
+        for (; i <= n - 48; i += 32) {                                                                       \
+            uint8x16_t right = next_columns(&at, is_max);                                                    \
+            vst1q_u8(to, OF_BESIDE(left, right, step, is_max));                                              \
+            to += 16;                                                                                        \
+            HERE(to);                                                                                        \
+            left = next_columns(&at, is_max);                                                                \
+            vst1q_u8(to, OF_BESIDE(right, left, step, is_max));                                              \
+            to += 16;                                                                                        \
+            HERE(to);                                                                                        \
+        }                                                                                                    \
+        for (; i < n; i += 16) {                                                                             \
+            int32_t from = i < n - 16 ? i : n - 16;                                                          \
+            vst1q_u8(dst + from, of_9(rows, step, is_max, from));                                            \
+        }                                                                                                    \
+    } while (0)
 
 void iris_row_max9_u8_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    if (n < 32) {
+    if (n < 16) {
         iris_row_max9_u8_c(dst, rows, step, n);
-        return;
-    }
-    const uint8_t *a = rows[0], *b = rows[1], *c = rows[2];
-    uint8x16_t left = max3_at(a, b, c, 0), here = max3_at(a, b, c, 16);
-    vst1q_u8(dst, max9_at(rows, step, 0));
-    if (step == 1) {
-        MAX9_INNER(1)
+    } else if (step == 1) {
+        ROW_OF_9(1, 1);
     } else {
-        MAX9_INNER(3)
+        ROW_OF_9(3, 1);
     }
-    if (n > 32) {
-        vst1q_u8(dst + n - 32, max9_at(rows, step, n - 32));
-    }
-    vst1q_u8(dst + n - 16, max9_at(rows, step, n - 16));
 }
-
-/* The smallest of three columns around. */
-static inline uint8x16_t min9_at(const uint8_t *const rows[3], int32_t step, int32_t i)
-{
-    uint8x16_t left = min3_at(rows[0], rows[1], rows[2], i - step),
-               here = min3_at(rows[0], rows[1], rows[2], i);
-    return vminq_u8(vminq_u8(left, here), min3_at(rows[0], rows[1], rows[2], i + step));
-}
-
-/* The same of sixteen and sixteen more from pixel 16 on, as long as the next sixteen can be looked at. */
-#define MIN9_INNER(step)                                                                                     \
-    for (int32_t i = 16; i < n - 31; i += 16) {                                                              \
-        uint8x16_t right = min3_at(a, b, c, i + 16);                                                         \
-        uint8x16_t beside = vminq_u8(BEFORE(left, here, step), BEHIND(here, right, step));                   \
-        vst1q_u8(dst + i, vminq_u8(here, beside));                                                           \
-        left = here;                                                                                         \
-        here = right;                                                                                        \
-    }
 
 void iris_row_min9_u8_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n)
 {
-    if (n < 32) {
+    if (n < 16) {
         iris_row_min9_u8_c(dst, rows, step, n);
-        return;
-    }
-    const uint8_t *a = rows[0], *b = rows[1], *c = rows[2];
-    uint8x16_t left = min3_at(a, b, c, 0), here = min3_at(a, b, c, 16);
-    vst1q_u8(dst, min9_at(rows, step, 0));
-    if (step == 1) {
-        MIN9_INNER(1)
+    } else if (step == 1) {
+        ROW_OF_9(1, 0);
     } else {
-        MIN9_INNER(3)
+        ROW_OF_9(3, 0);
     }
-    if (n > 32) {
-        vst1q_u8(dst + n - 32, min9_at(rows, step, n - 32));
-    }
-    vst1q_u8(dst + n - 16, min9_at(rows, step, n - 16));
 }
 
 /* Four words of pixels from pixel `shift` of the first on. */
@@ -186,28 +139,6 @@ static inline uint32x4_t joined_at(const uint32_t *const rows[3], uint32_t all, 
     return join3(vld1q_u32(rows[0] + i), vld1q_u32(rows[1] + i), vld1q_u32(rows[2] + i), all);
 }
 
-static inline void join_rows(uint32_t *dst, const uint32_t *const rows[3], uint32_t all, int32_t words)
-{
-    uint32x4_t last = joined_at(rows, all, words - 4);
-    for (int32_t i = 0; i < words - 4; i += 4) {
-        vst1q_u32(dst + i, joined_at(rows, all, i));
-    }
-    vst1q_u32(dst + words - 4, last);
-}
-
-void iris_row_join_rows_mask_neon(uint32_t *dst, const uint32_t *a, const uint32_t *b, const uint32_t *c,
-                                  uint32_t all, int32_t words)
-{
-    const uint32_t *const rows[3] = {a, b, c};
-    if (words < 4) {
-        iris_row_join_rows_mask_c(dst, a, b, c, all, words);
-    } else if (all) {
-        join_rows(dst, rows, ~0u, words);
-    } else {
-        join_rows(dst, rows, 0, words);
-    }
-}
-
 /* Each pixel with its neighbors; left and right: the words before and behind. */
 static inline uint32x4_t join_beside(uint32x4_t left, uint32x4_t here, uint32x4_t right, uint32_t all)
 {
@@ -247,16 +178,4 @@ void iris_row_join9_mask_neon(uint32_t *dst, const uint32_t *const rows[3], cons
     } else {
         join9(dst, rows, beside, 0, words);
     }
-}
-
-void iris_row_agree_mask_neon(uint32_t *dst, const uint32_t *src, int32_t at, uint32_t turn, int32_t words)
-{
-    const uint32_t *from = src + (at >> 5);
-    uint32x4_t turned = vdupq_n_u32(turn);
-    int32_t shift = at & 31;
-    int32_t i = 0;
-    for (; i < words - 3; i += 4) {
-        vst1q_u32(dst + i, vandq_u32(vld1q_u32(dst + i), veorq_u32(pixels_of(from + i, shift), turned)));
-    }
-    iris_row_agree_mask_c(dst + i, src + i, at, turn, words - i);
 }

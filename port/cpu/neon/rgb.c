@@ -9,22 +9,34 @@ static inline uint8x8_t luma_of_8(uint8x8_t red, uint8x8_t green, uint8x8_t blue
     return vrshrn_n_u16(sum, 8);
 }
 
-/* n >= 16. The last 16 pixels may overlap those before them: dst and src are disjoint. */
-static inline void luma_row(uint8_t *dst, const uint8_t *src, int32_t n, int red)
+INLINE void luma_8(uint8_t *dst, const uint8_t *src, int red)
 {
-    for (int32_t x = 0; x < n; x += 16) {
-        x = x > n - 16 ? n - 16 : x;
-        uint8x16x3_t pixels = vld3q_u8(src + 3 * x);
-        uint8x16_t r = pixels.val[red], g = pixels.val[1], b = pixels.val[2 - red];
-        uint8x8_t low = luma_of_8(vget_low_u8(r), vget_low_u8(g), vget_low_u8(b));
-        uint8x8_t high = luma_of_8(vget_high_u8(r), vget_high_u8(g), vget_high_u8(b));
-        vst1q_u8(dst + x, vcombine_u8(low, high));
+    uint8x8x3_t pixels = vld3_u8(src);
+    vst1_u8(dst, luma_of_8(pixels.val[red], pixels.val[1], pixels.val[2 - red]));
+}
+
+/* n >= 8. The last 8 pixels may overlap those before them: dst and src are disjoint. */
+INLINE void luma_row(uint8_t *dst, const uint8_t *src, int32_t n, int red)
+{
+    for (; n >= 32; n -= 32) {
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; k++) {
+            luma_8(dst, src, red);
+            dst += 8;
+            src += 24;
+            HERE(dst);
+            HERE(src);
+        }
+    }
+    for (int32_t i = 0; i < n; i += 8) {
+        int32_t at = i < n - 8 ? i : n - 8;
+        luma_8(dst + at, src + 3 * at, red);
     }
 }
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
 {
-    if (n < 16) {
+    if (n < 8) {
         iris_row_luma_rgb888_c(dst, src, n);
         return;
     }
@@ -33,7 +45,7 @@ void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
 
 void iris_row_luma_bgr888_neon(uint8_t *dst, const uint8_t *src, int32_t n)
 {
-    if (n < 16) {
+    if (n < 8) {
         iris_row_luma_bgr888_c(dst, src, n);
         return;
     }

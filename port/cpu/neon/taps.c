@@ -25,38 +25,6 @@ static inline int32x4x2_t add_all(int32x4x2_t sums, const iris_row_tap *taps, in
     return sums;
 }
 
-void iris_row_taps_u8_neon(int32_t *sums, const iris_row_tap *taps, int32_t count, int32_t n)
-{
-    int32_t whole = fits_s16(taps, count) ? n / 8 * 8 : 0;
-    for (int32_t i = 0; i < whole; i += 8) {
-        int32x4x2_t all = {{vld1q_s32(sums + i), vld1q_s32(sums + i + 4)}};
-        all = add_all(all, taps, count, i);
-        vst1q_s32(sums + i, all.val[0]);
-        vst1q_s32(sums + i + 4, all.val[1]);
-    }
-    for (int32_t k = 0; k < count && whole < n; k++) {
-        iris_row_tap tap = {taps[k].src + whole, taps[k].weight};
-        iris_row_taps_u8_c(sums + whole, &tap, 1, n - whole);
-    }
-}
-
-void iris_row_taps_s32_neon(int32_t *sums, const int32_t *src, const int32_t *weights, int32_t count,
-                            int32_t step, int32_t n)
-{
-    int32_t i = 0;
-    for (; i + 8 <= n; i += 8) {
-        int32x4_t first = vld1q_s32(sums + i), second = vld1q_s32(sums + i + 4);
-        const int32_t *at = src + i;
-        for (int32_t k = 0; k < count; k++, at += step) {
-            first = vmlaq_n_s32(first, vld1q_s32(at), weights[k]);
-            second = vmlaq_n_s32(second, vld1q_s32(at + 4), weights[k]);
-        }
-        vst1q_s32(sums + i, first);
-        vst1q_s32(sums + i + 4, second);
-    }
-    iris_row_taps_s32_c(sums + i, src + i, weights, count, step, n - i);
-}
-
 /* Four sums, 0 to 255 each afterwards. A divisor that is a power of two is a shift, by 31 less than that of the
  * factor. */
 static inline uint16x4_t divide(int32x4_t sum, const iris_row_quotient *q, int by_shift)
@@ -86,17 +54,6 @@ static int is_power(int32_t divisor)
     return (divisor & (divisor - 1)) == 0;
 }
 
-void iris_row_settle_u8_neon(uint8_t *dst, const int32_t *sums, const iris_row_quotient *quotient, int32_t n)
-{
-    int by_shift = is_power(quotient->divisor);
-    int32_t i = 0;
-    for (; i + 8 <= n; i += 8) {
-        int32x4x2_t all = {{vld1q_s32(sums + i), vld1q_s32(sums + i + 4)}};
-        vst1_u8(dst + i, settle_8(all, quotient, by_shift));
-    }
-    iris_row_settle_u8_c(dst + i, sums + i, quotient, n - i);
-}
-
 /* The last pixels of a row come again, where it is no multiple of 8. */
 void iris_row_filter_u8_neon(uint8_t *dst, const iris_row_tap *taps, int32_t count,
                              const iris_row_quotient *quotient, int32_t n)
@@ -110,25 +67,5 @@ void iris_row_filter_u8_neon(uint8_t *dst, const iris_row_tap *taps, int32_t cou
     for (int32_t i = 0; i < n; i += 8) {
         int32_t at = i < n - 8 ? i : n - 8;
         vst1_u8(dst + at, settle_8(add_all(start, taps, count, at), quotient, by_shift));
-    }
-}
-
-void iris_row_filter_s32_neon(uint8_t *dst, const int32_t *src, const iris_row_line *line,
-                              const iris_row_quotient *quotient, int32_t n)
-{
-    if (n < 8) {
-        iris_row_filter_s32_c(dst, src, line, quotient, n);
-        return;
-    }
-    int by_shift = is_power(quotient->divisor);
-    for (int32_t i = 0; i < n; i += 8) {
-        int32_t from = i < n - 8 ? i : n - 8;
-        const int32_t *at = src + from;
-        int32x4x2_t all = {{vdupq_n_s32(quotient->start), vdupq_n_s32(quotient->start)}};
-        for (int32_t k = 0; k < line->count; k++, at += line->step) {
-            all.val[0] = vmlaq_n_s32(all.val[0], vld1q_s32(at), line->weights[k]);
-            all.val[1] = vmlaq_n_s32(all.val[1], vld1q_s32(at + 4), line->weights[k]);
-        }
-        vst1_u8(dst + from, settle_8(all, quotient, by_shift));
     }
 }

@@ -49,43 +49,57 @@ void iris_row_wide_down_neon(int16_t *dst, const uint8_t *src, const int32_t *at
     }
 }
 
-static inline sums_8 across_8(const int16_t *src, const int16_t *weights, int32_t radius, int32_t step,
-                              int32_t start)
+/* Sixteen sums, from src on. */
+static inline void across_16(sums_8 sums[2], const int16_t *src, const int16_t *weights, int32_t radius,
+                             int32_t step)
 {
-    sums_8 sums = add_pair(all_alike(start), vld1q_s16(src), weights[0]);
+    const int16_t *left = src, *right = src;
+    sums_8 first = add_pair(sums[0], vld1q_s16(src), weights[0]);
+    sums_8 second = add_pair(sums[1], vld1q_s16(src + 8), weights[0]);
     for (int32_t k = 1; k <= radius; k++) {
-        int16x8_t pair = vaddq_s16(vld1q_s16(src - k * step), vld1q_s16(src + k * step));
-        sums = add_pair(sums, pair, weights[k]);
+        left -= step;
+        right += step;
+        first = add_pair(first, vaddq_s16(vld1q_s16(left), vld1q_s16(right)), weights[k]);
+        second = add_pair(second, vaddq_s16(vld1q_s16(left + 8), vld1q_s16(right + 8)), weights[k]);
     }
-    return sums;
+    sums[0] = first;
+    sums[1] = second;
+}
+
+static inline int16x8_t upper_halves(sums_8 sums, int32_t right)
+{
+    const int32x4_t shift = vdupq_n_s32(-right);
+    return vcombine_s16(vmovn_s32(vshlq_s32(sums.low, shift)), vmovn_s32(vshlq_s32(sums.high, shift)));
 }
 
 void iris_row_wide_across_neon(int16_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                                int32_t step, int32_t n)
 {
-    if (n < 8) {
+    if (n < 16) {
         iris_row_wide_across_c(dst, src, weights, radius, step, n);
         return;
     }
-    for (int32_t i = 0; i < n; i += 8) {
-        int32_t from = i < n - 8 ? i : n - 8;
-        sums_8 sums = across_8(src + from, weights, radius, step, 1 << 16);
-        int16x4_t low = vmovn_s32(vshrq_n_s32(sums.low, 17)), high = vmovn_s32(vshrq_n_s32(sums.high, 17));
-        vst1q_s16(dst + from, vcombine_s16(low, high));
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t from = i < n - 16 ? i : n - 16;
+        sums_8 sums[2] = {all_alike(1 << 16), all_alike(1 << 16)};
+        across_16(sums, src + from, weights, radius, step);
+        vst1q_s16(dst + from, upper_halves(sums[0], 17));
+        vst1q_s16(dst + from + 8, upper_halves(sums[1], 17));
     }
 }
 
 void iris_row_wide_across_u8_neon(uint8_t *dst, const int16_t *src, const int16_t *weights, int32_t radius,
                                   int32_t step, int32_t n)
 {
-    if (n < 8) {
+    if (n < 16) {
         iris_row_wide_across_u8_c(dst, src, weights, radius, step, n);
         return;
     }
-    for (int32_t i = 0; i < n; i += 8) {
-        int32_t from = i < n - 8 ? i : n - 8;
-        sums_8 sums = across_8(src + from, weights, radius, step, 1 << 22);
-        int16x4_t low = vmovn_s32(vshrq_n_s32(sums.low, 23)), high = vmovn_s32(vshrq_n_s32(sums.high, 23));
-        vst1_u8(dst + from, vqmovun_s16(vcombine_s16(low, high)));
+    for (int32_t i = 0; i < n; i += 16) {
+        int32_t from = i < n - 16 ? i : n - 16;
+        sums_8 sums[2] = {all_alike(1 << 22), all_alike(1 << 22)};
+        across_16(sums, src + from, weights, radius, step);
+        uint8x8_t low = vqmovun_s16(upper_halves(sums[0], 23)), high = vqmovun_s16(upper_halves(sums[1], 23));
+        vst1q_u8(dst + from, vcombine_u8(low, high));
     }
 }
