@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 39
+#define IRIS_PORT_OVERRIDES 40
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -37,6 +37,9 @@ void iris_row_above_mean_u8_neon(uint32_t *mask, const uint8_t *src, const uint3
 
 void iris_row_hsl_range_neon(uint32_t *mask, const uint8_t *rgb, const iris_hsl_range_test *test, int32_t n);
 #define iris_row_hsl_range iris_row_hsl_range_neon
+
+void iris_row_hsl24_888_neon(uint8_t *dst, const uint8_t *src, int32_t red, int32_t n);
+#define iris_row_hsl24_888 iris_row_hsl24_888_neon
 
 void iris_row_median9_u8_neon(uint8_t *dst, const uint8_t *const rows[3], int32_t step, int32_t n);
 #define iris_row_median9_u8 iris_row_median9_u8_neon
