@@ -69,13 +69,28 @@ INLINE void hsl24_16(uint8_t *dst, const uint8_t *src, int red)
     vst3q_u8(dst, hsl);
 }
 
-void iris_row_hsl24_888_neon(uint8_t *dst, const uint8_t *src, int32_t red, int32_t n)
+/* Whole vectors. */
+static void rgb_row_of(uint8_t *dst, const uint8_t *src, int32_t n)
 {
-    for (; red == 0 && n >= 16; n -= 16, src += 48, dst += 48) {
+    for (; n >= 16; n -= 16, src += 48, dst += 48) {
         hsl24_16(dst, src, 0);
     }
+}
+
+static void bgr_row_of(uint8_t *dst, const uint8_t *src, int32_t n)
+{
     for (; n >= 16; n -= 16, src += 48, dst += 48) {
         hsl24_16(dst, src, 2);
     }
-    iris_row_hsl24_888_c(dst, src, red, n);
+}
+
+void iris_row_hsl24_888_neon(uint8_t *dst, const uint8_t *src, int32_t red, int32_t n)
+{
+    int32_t whole = n / 16 * 16;
+    if (red == 0) {
+        rgb_row_of(dst, src, n);
+    } else {
+        bgr_row_of(dst, src, n);
+    }
+    iris_row_hsl24_888_c(dst + 3 * whole, src + 3 * whole, red, n - whole);
 }
