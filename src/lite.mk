@@ -29,5 +29,5 @@ LITE_WITHOUT := iris_color_convert iris_color_row iris_follow_use_hough \
 LITE_FUNCTIONS = $(filter-out $(LITE_WITHOUT),$(shell tests/declared $(LITE_HEADERS)))
 
 # The examples and the tests that call nothing else.
-LITE_EXAMPLES := $(addprefix examples/,sensor_rows.c follow.c lock.c)
+LITE_EXAMPLES := $(addprefix examples/,firmware_follow.c follow.c lock.c)
 LITE_TESTS    := $(addprefix tests/,$(addsuffix .c,image fixed border quadtree command xt/threshold xt/steer xt/morph xt/hough))

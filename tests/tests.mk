@@ -90,12 +90,33 @@ BOARD      := $(filter-out %/firmware.o $(OUT)/tests/target/test_%,$(TARGET_OBJ)
 FIRMWARE   := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
 .SECONDARY: $(TARGET_OBJ)
 $(OUT)/tests/target/runtime.o: BASE += -fno-lto -fno-tree-loop-distribute-patterns # memcpy is not a loop that calls memcpy
-$(OUT)/firmware.elf: $(OUT)/tests/target/firmware.o $(BOARD) $(LIB)
+# The example as firmware; and for the test of it with another main.
+$(OUT)/firmware.elf: $(OUT)/firmware_follow.o $(OUT)/tests/target/firmware.o $(BOARD) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+$(OUT)/firmware.elf: BASE += -fcallgraph-info=su
+$(OUT)/runtime.ci: tests/target/runtime.c # what is linked to it without being seen by the compiler
+	$(Q)$(CC) $(filter-out -flto,$(BASE)) -fno-tree-loop-distribute-patterns -fcallgraph-info=su -c -o $(OUT)/runtime.o $<
+$(OUT)/firmware_painted.elf: $(OUT)/firmware_follow.o $(OUT)/firmware_painted.o $(BOARD) $(LIB)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+$(OUT)/firmware_painted.o: tests/target/firmware.c
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -DTELL_STACK -c -o $@ $<
+# All that IRIS-Lite promises, called by nobody.
+$(OUT)/lite.elf: $(OUT)/tests/target/runtime.o $(LIB)
+	$(SAY)
+	$(Q)$(CC) $(BASE) -nostartfiles --specs=nano.specs -Wl,--gc-sections,-e,iris_status_text,-Ttext=0 -o $@ \
+	    $(LITE_FUNCTIONS:%=-Wl,--require-defined=%) $(filter %.o %.a,$^)
+
+$(OUT)/test_follow.elf: $(OUT)/follow_main.o
+$(OUT)/follow_main.o: TARGETINC := -Dmain=follow_main
+$(OUT)/firmware_follow.o $(OUT)/follow_main.o: examples/firmware_follow.c
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
 $(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
 	$(SAY)
-	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.o,$^) $(LIB)
 $(OUT)/digest.elf: STACK := 3072 # fits a floor: solving equations takes more than looking at a frame
 $(OUT)/digest.elf: $(filter-out $(DIGEST_HOST),$(DIGEST_OBJ)) $(START) $(LIB)
 	$(SAY)
@@ -191,6 +212,7 @@ $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/incl
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))
 $(eval $(call layer,cortex-m55,,arm-none-eabi-gcc qemu-system-arm,$(M55) verify-target))
+$(eval $(call layer,size,layer-cortex-m0 layer-cortex-m4,arm-none-eabi-gcc qemu-system-arm,$(MAKE) -s CHECKED= verify-size))
 $(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))
 $(if $(EXAMPLES),$(eval $(call layer,examples,layer-$(PORT)-checked,,$(NATIVE) CHECKED=1 verify-examples)))
 $(if $(SCRIPTS),$(eval $(call layer,scripts,layer-$(PORT),,$(NATIVE) verify-scripts)))

@@ -11,7 +11,7 @@ void course_set(int32_t left, int32_t lean)
     course.lean = lean;
 }
 
-void course_row(uint8_t *row, int32_t y)
+void sensor_row(uint8_t *row, int32_t y)
 {
     int32_t left = course.left + course.lean * (119 - y) / 120;
     for (int32_t x = 0; x < 160; x++) {

@@ -1,4 +1,4 @@
-# Measuring: time on this machine, instructions (exact, under QEMU's plugin interface), and bytes of flash and RAM.
+# Measuring: time on this machine, and instructions (exact, under QEMU's plugin interface).
 
 COUNTER := $(abspath $(BUILD))/libicnt.so
 RESULTS := $(abspath $(BUILD))/bench
@@ -90,12 +90,4 @@ gain: ## what every kernel of a port is worth beside the compiler's code for its
 	+@$(call ON,aarch64-linux-gnu-gcc qemu-aarch64,$(A64) gain-count)
 	@echo 'ARMv7-A, neon: instructions per pixel'
 	+@$(call ON,arm-linux-gnueabihf-gcc qemu-arm,$(A32) gain-count)
-
-size: ## bytes of flash and RAM on a Cortex-M0 at -Os: every file of the library, and the firmware follower
-	+@$(M0) weigh
-weigh: $(LIB) $(OUT)/firmware.elf
-	@$(CROSS_COMPILE)size $(LIB) | awk 'NR > 1 { printf "%6d %5d  %s\n", $$1 + $$2, $$2 + $$3, $$6; f += $$1 + $$2; r += $$2 + $$3 } \
-	    BEGIN { print " flash   RAM" } END { printf "%6d %5d  libiris.a, all of it\n", f, r }'
-	@$(CROSS_COMPILE)size $(OUT)/firmware.elf | awk -v stack=$(STACK) 'NR > 1 { \
-	    printf "%6d %5d  the firmware follower, 160x120, with C library and startup; and %d of stack\n", $$1 + $$2, $$2 + $$3 - stack, stack }'
-.PHONY: size weigh gain gain-time gain-count bench insns bench-peers count-target count-user time-program
+.PHONY: gain gain-time gain-count bench insns bench-peers count-target count-user time-program
