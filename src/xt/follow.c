@@ -1,19 +1,23 @@
 #include "iris/xt/follow.h"
+#include <stddef.h>
+#include <string.h>
+
 #include "follow_parts.h"
 #include "regress_rows.h"
 
 #define SIDE_MIN 8
 
+static const iris_follow_config defaults = {
+    .kind = IRIS_FOLLOW_DARK,
+    .format = IRIS_GRAY8,
+    .contrast_permil = 350,
+    .min_width_permil = 12,
+    .lookahead_permil = 333,
+    .hold_ms = 200,
+};
+
 void iris_follow_defaults(iris_follow_config *config)
 {
-    static const iris_follow_config defaults = {
-        .kind = IRIS_FOLLOW_DARK,
-        .format = IRIS_GRAY8,
-        .contrast_permil = 350,
-        .min_width_permil = 12,
-        .lookahead_permil = 333,
-        .hold_ms = 200,
-    };
     if (config) {
         *config = defaults;
     }
@@ -31,21 +35,17 @@ static int is_valid(const iris_follow_config *config)
            within(config->lookahead_permil, 0, 1000) && within(config->hold_ms, 0, 60000);
 }
 
-/* One block, cut into its parts. */
-static iris_status take_memory(iris_follow *follow, iris_scratch *scratch)
+/* The block that was taken, cut into its parts. */
+static void cut_memory(iris_follow *follow, void *memory)
 {
     size_t h = (size_t)follow->size.h, blocks = IRIS_FOLLOW_BLOCKS(follow->size.w);
-    iris_follow_chain *chains = iris_scratch_take(scratch, IRIS_FOLLOW_SCRATCH_BYTES(follow->size.w, h));
-    if (!chains) {
-        return IRIS_ERR_SCRATCH;
-    }
+    iris_follow_chain *chains = memory;
     follow->chains = chains;
     follow->runs = (void *)(chains + IRIS_FOLLOW_CHAINS);
     follow->blocks = (void *)(follow->runs + h * IRIS_FOLLOW_RUNS);
     follow->floor = (void *)(follow->blocks + blocks + 1);
     follow->owner = (void *)(follow->floor + blocks);
     follow->blocks[blocks].below = 1;
-    return IRIS_OK;
 }
 
 static iris_status fit_by_regression(iris_line *line, const iris_follow *follow, const int16_t *twice_x,
@@ -56,33 +56,43 @@ static iris_status fit_by_regression(iris_line *line, const iris_follow *follow,
     return iris_regress_rows_rough(line, twice_x, y0, y1, TRIMS);
 }
 
-void iris_follow_configure(iris_follow *follow, iris_size size, const iris_follow_config *config)
+const iris_follow_config *iris_follow_config_of(const iris_follow_config *config)
 {
-    iris_follow_defaults(&follow->config);
-    if (config) {
-        follow->config = *config;
-    }
-    follow->size = size;
+    return config ? config : &defaults;
 }
 
-iris_status iris_follow_prepare(iris_follow *follow, iris_scratch *scratch)
+void *iris_follow_memory(iris_status *status, iris_size size, const iris_follow_config *config,
+                         iris_scratch *scratch)
 {
-    iris_size size = follow->size;
-    if (!is_valid(&follow->config)) {
-        return IRIS_ERR_ARG;
+    void *memory = NULL;
+    if (!is_valid(config)) {
+        *status = IRIS_ERR_ARG;
+    } else if (!within(size.w, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX) ||
+               !within(size.h, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX)) {
+        *status = IRIS_ERR_RANGE;
+    } else {
+        memory = iris_scratch_take(scratch, IRIS_FOLLOW_SCRATCH_BYTES(size.w, (size_t)size.h));
+        *status = memory ? IRIS_OK : IRIS_ERR_SCRATCH;
     }
-    if (!within(size.w, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX) || !within(size.h, SIDE_MIN, IRIS_FOLLOW_SIDE_MAX)) {
-        return IRIS_ERR_RANGE;
-    }
+    return memory;
+}
+
+void iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config, void *memory)
+{
+    follow->config = *config; /* which may be the same */
+    config = &follow->config;
+    memset(follow, 0, offsetof(iris_follow, config));
+    follow->size = size;
+    follow->describe = iris_follow_describe_line;
     follow->fit = fit_by_regression;
     follow->y = -1;
-    int32_t least = size.w * follow->config.min_width_permil / 1000;
+    int32_t least = size.w * config->min_width_permil / 1000;
     follow->min_width = least < 2 ? 2 : least;
     follow->max_gap = 1 + (size.w < size.h ? size.w : size.h) / 80;
-    follow->contrast_q10 = follow->config.contrast_permil * 1024 / 1000;
-    follow->brighter_q10 = 1024000 / (1000 - follow->config.contrast_permil);
+    follow->contrast_q10 = config->contrast_permil * 1024 / 1000;
+    follow->brighter_q10 = 1024000 / (1000 - config->contrast_permil);
     follow->learn_rows = size.h < 360 ? 3 : size.h / 120;
-    return take_memory(follow, scratch);
+    cut_memory(follow, memory);
 }
 
 static const uint8_t *mark_gray(iris_follow *follow, const void *pixels)
@@ -97,17 +107,18 @@ iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_fol
     if (!follow || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_follow made = {.mark = mark_gray, .describe = iris_follow_describe_line};
-    iris_follow_configure(&made, size, config);
-    if (made.config.kind == IRIS_FOLLOW_COLOR || made.config.format != IRIS_GRAY8) {
+    const iris_follow_config *used = iris_follow_config_of(config);
+    if (used->kind == IRIS_FOLLOW_COLOR || used->format != IRIS_GRAY8) {
         return IRIS_ERR_FORMAT;
     }
-    if (made.config.lane == 1) {
+    if (used->lane == 1) {
         return IRIS_ERR_UNSUPPORTED;
     }
-    iris_status status = iris_follow_prepare(&made, scratch);
-    if (status == IRIS_OK) {
-        *follow = made;
+    iris_status status;
+    void *memory = iris_follow_memory(&status, size, used, scratch);
+    if (memory) {
+        iris_follow_prepare(follow, size, used, memory);
+        follow->mark = mark_gray;
     }
     return status;
 }

@@ -116,34 +116,42 @@ static int is_line(const iris_follow *follow, int32_t farthest)
     return length >= shorter / 4 && area / length * 3 <= length * 2 && rows * 2 >= extent;
 }
 
+/* The nearest chain that is not done yet. */
+static iris_follow_chain *nearest(const iris_follow *follow)
+{
+    iris_follow_chain *nearest = NULL;
+    for (int32_t c = 0; c < follow->chain_count; c++) {
+        iris_follow_chain *chain = &follow->chains[c];
+        if (!chain->done && (!nearest || chain->bottom_y > nearest->bottom_y)) {
+            nearest = chain;
+        }
+    }
+    return nearest;
+}
+
 int32_t iris_follow_choose(iris_follow *follow)
 {
-    int32_t total[IRIS_FOLLOW_CHAINS];
-    uint8_t done[IRIS_FOLLOW_CHAINS] = {0};
     int32_t best = -1;
-    for (int32_t round = 0; round < follow->chain_count; round++) {
-        int32_t i = 0; /* the nearest chain that is not done yet */
-        for (int32_t c = 0; c < follow->chain_count; c++) {
-            if (!done[c] && (done[i] || follow->chains[c].bottom_y > follow->chains[i].bottom_y)) {
-                i = c;
-            }
-        }
-        iris_follow_chain *chain = &follow->chains[i];
-        done[i] = 1;
-        total[i] = 0;
+    for (int32_t c = 0; c < follow->chain_count; c++) {
+        follow->chains[c].done = 0;
+        follow->chains[c].total = 0;
+    }
+    for (iris_follow_chain *chain = nearest(follow); chain; chain = nearest(follow)) {
+        chain->done = 1;
         if (chain->used || !is_line_like(follow, chain)) {
             continue;
         }
         chain->next = -1;
         for (int32_t c = 0; c < follow->chain_count; c++) {
-            if (c != i && done[c] && total[c] > total[i] && continues(follow, &follow->chains[c], chain)) {
-                total[i] = total[c];
+            const iris_follow_chain *near = &follow->chains[c];
+            if (near->total > chain->total && continues(follow, near, chain)) {
+                chain->total = near->total;
                 chain->next = (int16_t)c;
             }
         }
-        total[i] += score_of(follow, chain);
-        if (best < 0 || total[i] > total[best]) {
-            best = i;
+        chain->total += score_of(follow, chain);
+        if (best < 0 || chain->total > follow->chains[best].total) {
+            best = (int32_t)(chain - follow->chains);
         }
     }
     if (best < 0 || !is_line(follow, best)) {

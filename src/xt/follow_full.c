@@ -30,32 +30,31 @@ iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iri
     if (!follow || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_follow made = {.mark = mark_converted, .describe = iris_follow_describe_line};
-    iris_follow_configure(&made, size, config);
-    const iris_follow_config *used = &made.config;
-    if (used->lane) {
-        made.describe = iris_follow_describe_lane;
-    }
-    if (used->kind == IRIS_FOLLOW_COLOR) {
-        made.mark = mark_color;
-        if (iris_hsl_range_prepare(&made.color, &used->color) != IRIS_OK) {
-            return IRIS_ERR_ARG;
-        }
+    const iris_follow_config *used = iris_follow_config_of(config);
+    iris_hsl_range_test color = {0};
+    if (used->kind == IRIS_FOLLOW_COLOR && iris_hsl_range_prepare(&color, &used->color) != IRIS_OK) {
+        return IRIS_ERR_ARG;
     }
     if (!iris_color_takes(used->format) || iris_format_row_bytes(used->format, size.w) == 0) {
         return iris_color_takes(used->format) ? IRIS_ERR_RANGE : IRIS_ERR_FORMAT;
     }
     size_t mark = iris_scratch_mark(scratch);
-    iris_status status = iris_follow_prepare(&made, scratch);
-    if (status != IRIS_OK) {
+    iris_status status;
+    void *memory = iris_follow_memory(&status, size, used, scratch);
+    if (!memory) {
         return status;
     }
-    made.mask = iris_scratch_take(scratch, ((size_t)size.w + 31) / 32 * 4);
-    made.row = iris_scratch_take(scratch, (size_t)size.w * 3);
-    if (!made.mask || !made.row) {
+    uint32_t *mask = iris_scratch_take(scratch, ((size_t)size.w + 31) / 32 * 4);
+    uint8_t *row = iris_scratch_take(scratch, (size_t)size.w * 3);
+    if (!mask || !row) {
         iris_scratch_release(scratch, mark);
         return IRIS_ERR_SCRATCH;
     }
-    *follow = made;
+    iris_follow_prepare(follow, size, used, memory);
+    follow->mark = used->kind == IRIS_FOLLOW_COLOR ? mark_color : mark_converted;
+    follow->describe = used->lane ? iris_follow_describe_lane : iris_follow_describe_line;
+    follow->color = color;
+    follow->mask = mask;
+    follow->row = row;
     return IRIS_OK;
 }

@@ -6,7 +6,7 @@
 #include "iris/xt/follow.h"
 #include "iris/xt/regress.h"
 
-/* Runs in successive rows that overlap: a piece of line, or of anything else that is dark. 32 bytes. */
+/* Runs in successive rows that overlap: a piece of line, or of anything else that is dark. 36 bytes. */
 typedef struct iris_follow_chain {
     iris_span top, bottom; /* its runs in the rows top_y and bottom_y */
     uint16_t top_y, bottom_y;
@@ -14,14 +14,18 @@ typedef struct iris_follow_chain {
     uint16_t widest;                 /* run, pixels */
     int32_t area;                    /* pixels in all runs */
     int32_t contrast_sum, range_sum; /* one sample per row: how far from the floor, of how far it could be */
+    int32_t total;                   /* score of it and of those that continue it, once it is done */
     int16_t next;                    /* chain that continues it towards the robot, or -1 */
-    int16_t used;                    /* 1: it belongs to a line that was chosen before */
+    uint8_t used;                    /* 1: it belongs to a line that was chosen before */
+    uint8_t done;                    /* 1: has been looked at */
 } iris_follow_chain;
 
-/* follow.c: what both kinds of init share: first the size and the config or its defaults, then, once the format is
- * known to fit, the checks of both, what follows from them, and the memory. On errors *follow is half made. */
-void iris_follow_configure(iris_follow *follow, iris_size size, const iris_follow_config *config);
-iris_status iris_follow_prepare(iris_follow *follow, iris_scratch *scratch);
+/* follow.c: what both kinds of init share, in this order: the config or its defaults; the checks of it and of the size, and
+ * the memory (null and *status on errors); and, once nothing can fail, the follower, which may hold *config. */
+const iris_follow_config *iris_follow_config_of(const iris_follow_config *config);
+void *iris_follow_memory(iris_status *status, iris_size size, const iris_follow_config *config,
+                         iris_scratch *scratch);
+void iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_config *config, void *memory);
 
 /* What becomes of the chosen chains. */
 typedef struct {

@@ -60,21 +60,22 @@ typedef struct {
 } row_sums;
 
 /* Of those points that are at most limit_q2 away from a line; of all where `from` is null. */
-static row_sums sum_rows(const row_range *rows, const ruler *from, int32_t limit_q2)
+static void sum_rows(row_sums *sums, const row_range *rows, const ruler *from, int32_t limit_q2)
 {
-    row_sums sums = {0};
+    int32_t n = 0, sum_x = 0, sum_y = 0;
+    int64_t difference = 0, xy = 0;
     for (int32_t row = rows->y0; row <= rows->y1; row++) {
         int32_t x = rows->twice_x[row], y = 2 * row;
         if (x == IRIS_REGRESS_NONE || (from && distance_q2(from, x, row) > limit_q2)) {
             continue;
         }
-        sums.n++;
-        sums.x += x;
-        sums.y += y;
-        sums.difference += y * y - x * x;
-        sums.xy += x * y;
+        n++;
+        sum_x += x;
+        sum_y += y;
+        difference += y * y - x * x;
+        xy += x * y;
     }
-    return sums;
+    *sums = (row_sums){n, sum_x, sum_y, difference, xy};
 }
 
 /* a * b for |a| below 2^15 + 1, without the code that a small processor needs for 64 bits. */
@@ -131,7 +132,8 @@ iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int
                                     int32_t trims)
 {
     const row_range rows = {twice_x, y0, y1};
-    row_sums sums = sum_rows(&rows, NULL, 0);
+    row_sums sums;
+    sum_rows(&sums, &rows, NULL, 0);
     int32_t all = sums.n;
     iris_status status = fit_rows(line, &sums);
     for (; status == IRIS_OK && trims > 0; trims--) {
@@ -140,7 +142,7 @@ iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int
         if (limit == INT32_MAX && line->points == all) {
             break; /* the line through all points, and none is to be left out */
         }
-        sums = sum_rows(&rows, &from, limit);
+        sum_rows(&sums, &rows, &from, limit);
         /* when what is left has no direction, the line before stays */
         (void)fit_rows(line, &sums);
     }
