@@ -7,6 +7,7 @@
 #ifndef IRIS_KERNEL_H
 #define IRIS_KERNEL_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "iris/color.h"
@@ -76,6 +77,18 @@ typedef struct {
     const int32_t *weights;
     int32_t count, step;
 } iris_row_line;
+
+/* A whole of the weights of two samples. */
+#define IRIS_ROW_WHOLE 2048u
+
+/* Places in a row: between the sample at[i] and the one `step` (1 or 3) behind it, whose weight is weight[i], 0 to
+ * IRIS_ROW_WHOLE. at is at least 0, and none is below one before: with a step of 3 not by more than 2, for the
+ * samples of a pixel may come again. */
+typedef struct {
+    const int32_t *at;
+    const uint16_t *weight;
+    int32_t step;
+} iris_row_places;
 
 #include "iris_port.h"
 
@@ -451,6 +464,26 @@ void iris_row_filter_s32_c(uint8_t *dst, const int32_t *src, const iris_row_line
                            const iris_row_quotient *quotient, int32_t n);
 #ifndef iris_row_filter_s32
 #define iris_row_filter_s32 iris_row_filter_s32_c
+#endif
+
+/* dst[i] = the mean of the two samples from 2 i on of both rows, rounded half up. */
+void iris_row_halve2_u8_c(uint8_t *dst, const uint8_t *upper, const uint8_t *lower, int32_t n);
+#ifndef iris_row_halve2_u8
+#define iris_row_halve2_u8 iris_row_halve2_u8_c
+#endif
+
+/* dst = what lies at places of two rows, the lower one with the weight `down`, 0 to IRIS_ROW_WHOLE, rounded half up. Rows
+ * are readable from 0 up to the farthest sample that a place is beside. */
+void iris_row_between_u8_c(uint8_t *dst, const uint8_t *const rows[2], const iris_row_places *places,
+                           uint32_t down, int32_t n);
+#ifndef iris_row_between_u8
+#define iris_row_between_u8 iris_row_between_u8_c
+#endif
+
+/* dst[i * stride + k] = rows[k][i]: sixteen rows become columns. */
+void iris_row_columns16_u8_c(uint8_t *dst, ptrdiff_t stride, const uint8_t *const rows[16], int32_t n);
+#ifndef iris_row_columns16_u8
+#define iris_row_columns16_u8 iris_row_columns16_u8_c
 #endif
 
 #endif

@@ -1,8 +1,11 @@
 #include "iris/copy.h"
 
+#include <string.h>
+
+#include "kernel.h"
 #include "views.h"
 
-enum { FRACTION_BITS = 11, FRACTION_ONE = 1 << FRACTION_BITS };
+enum { FRACTION_BITS = 11, FRACTION_ONE = IRIS_ROW_WHOLE };
 
 /* floor((first + i * step) / divisor) for i = 0, 1, 2, ... without a division per step and without drift. */
 typedef struct {
@@ -43,23 +46,23 @@ static walk walk_between(int32_t dst_side, int32_t src_side)
                       2 * dst_side);
 }
 
-/* Two neighbors on one axis and the weight of the second. */
+/* A place on an axis: between a pixel and the next one, with the weight of that. On an axis of one pixel there is no next
+ * one, and it has no weight. */
 typedef struct {
-    int32_t first, second;
+    int32_t first;
     uint32_t weight;
-} pair;
+} place;
 
-static pair pair_at(int32_t position, int32_t side)
+static place place_at(int32_t position, int32_t side)
 {
     int32_t last = side - 1;
-    if (position <= 0) {
-        return (pair){0, 0, 0};
+    if (position <= 0 || last == 0) {
+        return (place){0, 0};
     }
     if (position >= last * FRACTION_ONE) {
-        return (pair){last, last, 0};
+        return (place){last - 1, FRACTION_ONE};
     }
-    int32_t first = position >> FRACTION_BITS;
-    return (pair){first, first + 1, (uint32_t)position & (FRACTION_ONE - 1u)};
+    return (place){position >> FRACTION_BITS, (uint32_t)position & (FRACTION_ONE - 1u)};
 }
 
 static iris_status check_resize(const iris_image *dst, const iris_image *src)
@@ -99,38 +102,49 @@ iris_status iris_resize_nearest(const iris_image *dst, const iris_image *src)
     return IRIS_OK;
 }
 
-static uint32_t blend(uint32_t first, uint32_t second, uint32_t weight)
-{
-    return first * (FRACTION_ONE - weight) + second * weight;
-}
+/* Samples that are made at once: whole pixels of one or three. */
+#define PIECE 120
 
-static void bilinear_row(uint8_t *to, int32_t n, const iris_image *src, pair rows, int32_t channels)
+/* The samples x to x + n - 1 of every row of dst, of these places. A row of one pixel is read as two. */
+static void blend_columns(const iris_image *dst, int32_t x, int32_t n, const iris_image *src,
+                          const iris_row_places *places)
 {
-    const uint32_t half = 1u << (2 * FRACTION_BITS - 1);
-    const uint8_t *upper = iris_image_row(src, rows.first);
-    const uint8_t *lower = iris_image_row(src, rows.second);
-    walk across = walk_between(n, src->w);
-    for (int32_t x = 0; x < n; x++, walk_next(&across)) {
-        pair columns = pair_at(across.value, src->w);
-        int32_t left = columns.first * channels, right = columns.second * channels;
-        for (int32_t c = 0; c < channels; c++) {
-            uint32_t above = blend(upper[left + c], upper[right + c], columns.weight);
-            uint32_t below = blend(lower[left + c], lower[right + c], columns.weight);
-            *to++ = (uint8_t)((blend(above, below, rows.weight) + half) >> (2 * FRACTION_BITS));
+    const int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;
+    walk down = walk_between(dst->h, src->h);
+    for (int32_t y = 0; y < dst->h; y++, walk_next(&down)) {
+        place at = place_at(down.value, src->h);
+        uint8_t twice[2][6];
+        const uint8_t *rows[2] = {iris_image_row(src, at.first),
+                                  iris_image_row(src, at.first + (at.weight > 0))};
+        for (int k = 0; k < 2 && src->w == 1; k++) {
+            memcpy(twice[k], rows[k], (size_t)channels);
+            memcpy(twice[k] + channels, rows[k], (size_t)channels);
+            rows[k] = twice[k];
         }
+        iris_row_between_u8((uint8_t *)iris_image_row(dst, y) + x, rows, places, at.weight, n);
     }
 }
 
 iris_status iris_resize_bilinear(const iris_image *dst, const iris_image *src)
 {
+    int32_t at[PIECE];
+    uint16_t weight[PIECE];
     iris_status status = check_resize(dst, src);
     if (status != IRIS_OK) {
         return status;
     }
-    walk down = walk_between(dst->h, src->h);
-    for (int32_t y = 0; y < dst->h; y++, walk_next(&down)) {
-        pair rows = pair_at(down.value, src->h);
-        bilinear_row(iris_image_row(dst, y), dst->w, src, rows, dst->format == IRIS_GRAY8 ? 1 : 3);
+    const int32_t channels = dst->format == IRIS_GRAY8 ? 1 : 3;
+    const iris_row_places places = {at, weight, channels};
+    walk across = walk_between(dst->w, src->w);
+    for (int32_t x = 0, n = 0; x < dst->w; n = 0) {
+        for (; x < dst->w && n < PIECE; x++, walk_next(&across)) {
+            place column = place_at(across.value, src->w);
+            for (int32_t c = 0; c < channels; c++, n++) {
+                at[n] = column.first * channels + c;
+                weight[n] = (uint16_t)column.weight;
+            }
+        }
+        blend_columns(dst, x * channels - n, n, src, &places);
     }
     return IRIS_OK;
 }
@@ -200,6 +214,10 @@ static void halve(const iris_image *dst, const iris_image *src)
     for (int32_t y = 0; y < dst->h; y++) {
         uint8_t *to = iris_image_row(dst, y);
         const uint8_t *upper = iris_image_row(src, 2 * y), *lower = iris_image_row(src, 2 * y + 1);
+        if (channels == 1) {
+            iris_row_halve2_u8(to, upper, lower, dst->w);
+            continue;
+        }
         for (int32_t x = 0; x < dst->w; x++, upper += channels, lower += channels) {
             for (int32_t c = 0; c < channels; c++, upper++, lower++) {
                 *to++ =

@@ -3,13 +3,14 @@
 #include <string.h>
 
 #include "iris/copy.h"
+#include "kernel.h"
 #include "views.h"
 
 /* What a turning is made of: transposed first, then mirrored. */
 enum { MIRRORED_X = 1, MIRRORED_Y = 2, TRANSPOSED = 4 };
 
 /* Pixels are transposed in squares of this side, so that both pictures stay in the cache. */
-#define TILE 32
+#define TILE 64
 
 /* The same pixels, last row first. */
 static iris_image upside_down(const iris_image *image)
@@ -92,11 +93,31 @@ static inline void transpose_pixels(const iris_image *dst, const iris_image *src
     }
 }
 
+/* The same of bytes, sixteen columns at a time. */
+static void transpose_bytes(const iris_image *dst, const iris_image *src, int32_t x, int32_t y)
+{
+    const int32_t end = dst->w - x < TILE ? dst->w : x + TILE, h = dst->h - y < TILE ? dst->h - y : TILE;
+    for (; x + 16 <= end; x += 16) {
+        const uint8_t *rows[16];
+        for (int32_t k = 0; k < 16; k++) {
+            rows[k] = (const uint8_t *)iris_image_row(src, x + k) + y;
+        }
+        iris_row_columns16_u8((uint8_t *)iris_image_row(dst, y) + x, dst->stride, rows, h);
+    }
+    for (int32_t u = x; u < end; u++) {
+        const uint8_t *from = (const uint8_t *)iris_image_row(src, u) + y;
+        uint8_t *to = (uint8_t *)iris_image_row(dst, y) + u;
+        for (int32_t v = 0; v < h; v++) {
+            to[v * dst->stride] = from[v];
+        }
+    }
+}
+
 static void transpose_tile(const iris_image *dst, const iris_image *src, int32_t x, int32_t y, size_t bytes)
 {
     switch (bytes) {
     case 1:
-        transpose_pixels(dst, src, x, y, 1);
+        transpose_bytes(dst, src, x, y);
         break;
     case 2:
         transpose_pixels(dst, src, x, y, 2);
@@ -182,8 +203,9 @@ static void transpose_square(const iris_image *dst, const iris_image *src, int32
 static void transpose(const iris_image *dst, const iris_image *src)
 {
     size_t bytes = iris_format_row_bytes(dst->format, 1);
-    for (int32_t y = 0; y < dst->h; y += TILE) {
-        for (int32_t x = 0; x < dst->w; x += TILE) {
+    const int32_t side = dst->format == IRIS_MASK1 ? 32 : TILE;
+    for (int32_t y = 0; y < dst->h; y += side) {
+        for (int32_t x = 0; x < dst->w; x += side) {
             if (dst->format == IRIS_MASK1) {
                 transpose_square(dst, src, x, y);
             } else {

@@ -84,4 +84,13 @@ void iris_row_above_mean_u8_avx2(uint32_t *mask, const uint8_t *src, const uint3
 #undef iris_row_above_mean_u8
 #define iris_row_above_mean_u8 iris_row_above_mean_u8_avx2
 
+void iris_row_between_u8_avx2(uint8_t *dst, const uint8_t *const rows[2], const iris_row_places *places,
+                              uint32_t down, int32_t n);
+#undef iris_row_between_u8
+#define iris_row_between_u8 iris_row_between_u8_avx2
+
+void iris_row_columns16_u8_avx2(uint8_t *dst, ptrdiff_t stride, const uint8_t *const rows[16], int32_t n);
+#undef iris_row_columns16_u8
+#define iris_row_columns16_u8 iris_row_columns16_u8_avx2
+
 #endif

@@ -1,0 +1,43 @@
+/* Samples at other places: halved, between others, and rows that become columns. */
+#include <string.h>
+
+#include "kernel.h"
+
+/* The two samples beside each other are read as one number: which of them comes first does not matter. */
+void iris_row_halve2_u8_c(uint8_t *dst, const uint8_t *upper, const uint8_t *lower, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        uint16_t above, below;
+        memcpy(&above, upper + 2 * i, 2);
+        memcpy(&below, lower + 2 * i, 2);
+        uint32_t sum = (above & 255u) + (above >> 8) + (below & 255u) + (below >> 8);
+        dst[i] = (uint8_t)((sum + 2u) >> 2);
+    }
+}
+
+static inline uint32_t blend(uint32_t first, uint32_t second, uint32_t weight)
+{
+    return first * (IRIS_ROW_WHOLE - weight) + second * weight;
+}
+
+void iris_row_between_u8_c(uint8_t *dst, const uint8_t *const rows[2], const iris_row_places *places,
+                           uint32_t down, int32_t n)
+{
+    const int32_t step = places->step;
+    for (int32_t i = 0; i < n; i++) {
+        const uint8_t *upper = rows[0] + places->at[i], *lower = rows[1] + places->at[i];
+        uint32_t weight = places->weight[i];
+        uint32_t above = blend(upper[0], upper[step], weight), below = blend(lower[0], lower[step], weight);
+        dst[i] = (uint8_t)((blend(above, below, down) + IRIS_ROW_WHOLE * IRIS_ROW_WHOLE / 2) /
+                           (IRIS_ROW_WHOLE * IRIS_ROW_WHOLE));
+    }
+}
+
+void iris_row_columns16_u8_c(uint8_t *dst, ptrdiff_t stride, const uint8_t *const rows[16], int32_t n)
+{
+    for (int32_t i = 0; i < n; i++, dst += stride) {
+        for (int32_t k = 0; k < 16; k++) {
+            dst[k] = rows[k][i];
+        }
+    }
+}

@@ -1,0 +1,170 @@
+/* Kernels that take samples from other places. */
+#include "kernels.h"
+
+static void run_halve2(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_halve2_u8)(rows[0], rows[1], rows[2], n);
+}
+
+/* ---- between ---- */
+
+/* Sources of this many bytes; their places begin anywhere and are up to so far apart. */
+enum { SOURCE = 1024 };
+static int32_t first_at, farthest, places_step;
+static uint32_t places_down;
+
+static void choose_places(void)
+{
+    static const uint32_t extremes[] = {0, 1, IRIS_ROW_WHOLE / 2, IRIS_ROW_WHOLE - 1, IRIS_ROW_WHOLE};
+    uint32_t which = random_below(8);
+    farthest = (int32_t)random_below(6);
+    first_at = (int32_t)random_below(20);
+    places_step = random_below(2) ? 1 : 3;
+    places_down = which < 5 ? extremes[which] : random_below(IRIS_ROW_WHOLE + 1);
+}
+
+/* The sources end with the last sample that is read. */
+static void run_between(int plain, uint8_t **rows, int32_t n)
+{
+    int32_t at[KERNEL_ROOM / 16], place = first_at;
+    uint16_t weight[KERNEL_ROOM / 16];
+    int32_t last = 0;
+    for (int32_t i = 0; i < n; i++) {
+        at[i] = place + i % places_step;
+        weight[i] = (uint16_t)((uint32_t)(i * 611) % (IRIS_ROW_WHOLE + 1));
+        last = at[i] > last ? at[i] : last;
+        int32_t room = SOURCE - 6 - place, far = i * 7 % (farthest + 1);
+        place += i % places_step < places_step - 1 ? 0 : far < room ? far : room;
+    }
+    int32_t unused = SOURCE - 1 - places_step - last;
+    const uint8_t *const two[2] = {rows[1] + unused, rows[2] + unused};
+    const iris_row_places places = {at, weight, places_step};
+    BODY(plain, iris_row_between_u8)(rows[0], two, &places, places_down, n);
+}
+
+/* ---- columns ---- */
+
+static int32_t beyond; /* bytes between two rows of dst */
+
+static void choose_beyond(void)
+{
+    beyond = (int32_t)random_below(9);
+}
+
+/* Of 24 bytes for each row. */
+static void run_columns(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *from[16];
+    for (int k = 0; k < 16; k++) {
+        from[k] = rows[1] + k * n;
+    }
+    BODY(plain, iris_row_columns16_u8)(rows[0], 16 + beyond, from, n);
+}
+
+/* From the last row on. */
+static void run_columns_up(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *from[16];
+    for (int k = 0; k < 16; k++) {
+        from[k] = rows[1] + (15 - k) * n;
+    }
+    BODY(plain, iris_row_columns16_u8)(rows[0] + (n > 0 ? n - 1 : 0) * 17, -17, from, n);
+}
+
+static const kernel_case cases[] = {
+    {KERNEL(iris_row_halve2_u8), run_halve2, NULL, {ROW_U8, ROW(1, 2, 1, fill_u8), ROW(1, 2, 1, fill_u8)}},
+    {KERNEL(iris_row_between_u8),
+     run_between,
+     choose_places,
+     {ROW_U8, TABLE(SOURCE, 1, fill_u8), TABLE(SOURCE, 1, fill_u8)}},
+    {KERNEL(iris_row_columns16_u8),
+     run_columns,
+     choose_beyond,
+     {ROW(1, 24, 1, fill_u8), ROW(1, 16, 1, fill_u8)}},
+    {KERNEL(iris_row_columns16_u8), run_columns_up, NULL, {ROW(1, 17, 1, fill_u8), ROW(1, 16, 1, fill_u8)}},
+};
+
+/* ---- truths ---- */
+
+static void truth_of_halve2(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        uint8_t dst[N], upper[2 * N], lower[2 * N], *rows[] = {dst, upper, lower};
+        for (int i = 0; i < N; i++) {
+            upper[2 * i] = (uint8_t)i;
+            upper[2 * i + 1] = (uint8_t)(i + i % 4); /* a quarter, a half, and three quarters too much */
+            lower[2 * i] = lower[2 * i + 1] = (uint8_t)i;
+        }
+        run_halve2(plain, rows, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(dst[i], i + (i % 4 >= 2));
+        }
+        memset(upper, 255, sizeof upper);
+        memset(lower, 255, sizeof lower);
+        run_halve2(plain, rows, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(dst[i], 255);
+        }
+    }
+}
+
+/* Ramps: what lies between is between their numbers. */
+static void truth_of_between(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (int step = 1; step <= 3; step += 2) {
+            int32_t at[N];
+            uint16_t weight[N];
+            uint8_t dst[N], upper[3 * N], lower[3 * N];
+            const uint8_t *const rows[2] = {upper, lower};
+            const iris_row_places places = {at, weight, step};
+            for (int i = 0; i < 3 * N; i++) {
+                upper[i] = (uint8_t)i;
+                lower[i] = (uint8_t)(i + 40);
+            }
+            for (int i = 0; i < N; i++) {
+                at[i] = 2 * i;
+                weight[i] = (uint16_t)(i % 3 * 1024);
+            }
+            BODY(plain, iris_row_between_u8)(dst, rows, &places, 512, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(dst[i], (2 * (2 * i + 10) + i % 3 * step + 1) / 2);
+            }
+        }
+    }
+}
+
+static void truth_of_columns(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        static uint8_t dst[N * 20], src[16 * N];
+        uint8_t *rows[] = {dst, src};
+        for (int i = 0; i < 16 * N; i++) {
+            src[i] = (uint8_t)(i / N * 16 + i % N % 13);
+        }
+        memset(dst, 255, sizeof dst);
+        beyond = 4;
+        run_columns(plain, rows, N);
+        for (int i = 0; i < N * 20; i++) {
+            assert_int_equal(dst[i], i % 20 < 16 ? i % 20 * 16 + i / 20 % 13 : 255);
+        }
+    }
+}
+
+static int truths(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(truth_of_halve2),
+        cmocka_unit_test(truth_of_between),
+        cmocka_unit_test(truth_of_columns),
+    };
+    return cmocka_run_group_tests_name("kernels of samples", tests, NULL, NULL);
+}
+
+const kernel_family kernels_sample = {cases, sizeof cases / sizeof cases[0], truths};
