@@ -90,6 +90,13 @@ typedef struct {
     int32_t step;
 } iris_row_places;
 
+/* A straight way over a picture: place i is (x + i dx, y + i dy), with 16 fraction bits. */
+typedef struct {
+    const uint8_t *src; /* pixel (0, 0) */
+    ptrdiff_t stride;
+    int32_t x, y, dx, dy;
+} iris_row_way;
+
 #include "iris_port.h"
 
 /* Writes the low `count` (1 to 32) bits of `bits` to a word of a mask and keeps the rest of it. */
@@ -484,6 +491,19 @@ void iris_row_between_u8_c(uint8_t *dst, const uint8_t *const rows[2], const iri
 void iris_row_columns16_u8_c(uint8_t *dst, ptrdiff_t stride, const uint8_t *const rows[16], int32_t n);
 #ifndef iris_row_columns16_u8
 #define iris_row_columns16_u8 iris_row_columns16_u8_c
+#endif
+
+/* dst = level[src]. dst may be src. */
+void iris_row_tone_u8_c(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n);
+#ifndef iris_row_tone_u8
+#define iris_row_tone_u8 iris_row_tone_u8_c
+#endif
+
+/* dst[i] = what lies at place i of a way, between four pixels, by the upper 8 bits of its fractions, rounded half up. All
+ * these pixels exist, and a row of the picture has four at least. */
+void iris_row_along_u8_c(uint8_t *dst, const iris_row_way *way, int32_t n);
+#ifndef iris_row_along_u8
+#define iris_row_along_u8 iris_row_along_u8_c
 #endif
 
 #endif

@@ -41,3 +41,19 @@ void iris_row_columns16_u8_c(uint8_t *dst, ptrdiff_t stride, const uint8_t *cons
         }
     }
 }
+
+/* Above and below at once, 16 bits each: what wraps around on the way comes back. */
+void iris_row_along_u8_c(uint8_t *dst, const iris_row_way *way, int32_t n)
+{
+    const uint8_t *src = way->src;
+    const ptrdiff_t stride = way->stride;
+    const int32_t dx = way->dx, dy = way->dy;
+    int32_t x = way->x, y = way->y;
+    for (int32_t i = 0; i < n; i++, x += dx, y += dy) {
+        const uint8_t *above = src + (y >> 16) * stride + (x >> 16), *below = above + stride;
+        uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
+        uint32_t left = above[0] | (uint32_t)below[0] << 16, other = above[1] | (uint32_t)below[1] << 16;
+        uint32_t both = left * 256 + (other - left) * right, top = both & 0xFFFF, bottom = both >> 16;
+        dst[i] = (uint8_t)((top * 256 + (bottom - top) * down + 32768) >> 16);
+    }
+}

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../foundation/kernel.h"
 #include "../foundation/views.h"
 #include "floor_parts.h"
 
@@ -204,19 +205,8 @@ static void draw_edge(uint8_t *to, const run *r, const iris_image *src, int chan
 /* A run that is inside of the picture with all its neighbors. */
 static void draw_gray(uint8_t *to, const run *r, const iris_image *src)
 {
-    int32_t x = r->x + 128, y = r->y + 128;
-    const int32_t dx = r->dx, dy = r->dy, n = r->n;
-    const uint8_t *pixels = src->data;
-    const ptrdiff_t stride = src->stride;
-    for (int32_t i = 0; i < n; i++, x += dx, y += dy) {
-        const uint8_t *above = pixels + (y >> 16) * stride + (x >> 16), *below = above + stride;
-        uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
-        uint32_t left = above[0] | (uint32_t)below[0] << 16, other = above[1] | (uint32_t)below[1] << 16;
-        uint32_t both =
-            left * 256 + (other - left) * right; /* above and below, 16 bits each; wraps, and back */
-        uint32_t top = both & 0xFFFF, bottom = both >> 16;
-        to[i] = (uint8_t)((top * 256 + (bottom - top) * down + 32768) >> 16);
-    }
+    const iris_row_way way = {src->data, src->stride, r->x + 128, r->y + 128, r->dx, r->dy};
+    iris_row_along_u8(to, &way, r->n);
 }
 
 static void draw_color(uint8_t *to, const run *r, const iris_image *src)
@@ -234,10 +224,11 @@ static void draw_color(uint8_t *to, const run *r, const iris_image *src)
     }
 }
 
-/* Is the position so far inside that the pixels to the right and below exist, rounded or not? */
+/* Is the position so far inside that the pixels to the right and below exist, rounded or not? (In a picture that is as wide
+ * as the kernel asks.) */
 static int is_inside(iris_place at, const iris_image *src)
 {
-    return at.x_q16 >= 0 && at.y_q16 >= 0 && at.x_q16 <= (src->w - 1) * 65536 - 256 &&
+    return src->w >= 4 && at.x_q16 >= 0 && at.y_q16 >= 0 && at.x_q16 <= (src->w - 1) * 65536 - 256 &&
            at.y_q16 <= (src->h - 1) * 65536 - 256;
 }
 
@@ -249,26 +240,41 @@ static int is_outside(iris_place a, iris_place b, const iris_image *src)
            (a.x_q16 > right && b.x_q16 > right) || (a.y_q16 > bottom && b.y_q16 > bottom);
 }
 
+/* Part of a run: inside, outside, or across the edge. */
+static void draw_part(uint8_t *to, const run *part, const iris_image *src, int channels, uint8_t fill)
+{
+    iris_place at = {part->x, part->y}, end = place_in(part, part->n - 1);
+    if (!part->exists || is_outside(at, end, src)) {
+        memset(to, fill, (size_t)part->n * (size_t)channels);
+    } else if (!is_inside(at, src) || !is_inside(end, src)) {
+        draw_edge(to, part, src, channels, fill);
+    } else {
+        (channels == 1 ? draw_gray : draw_color)(to, part, src);
+    }
+}
+
+/* A run that is inside at both ends is inside all the way. */
+static void draw_run(uint8_t *to, const run *r, const iris_image *src, int channels, uint8_t fill)
+{
+    iris_place at = {r->x, r->y};
+    int inside = r->exists && is_inside(at, src) && is_inside(place_in(r, r->n - 1), src);
+    int32_t most = inside ? r->n : PIECE;
+    for (int32_t first = 0; first < r->n; first += most, to += most * channels) {
+        at = place_in(r, first);
+        const run part = {
+            r->n - first < most ? r->n - first : most, r->exists, at.x_q16, at.y_q16, r->dx, r->dy};
+        draw_part(to, &part, src, channels, fill);
+    }
+}
+
 static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_image *src, int32_t y)
 {
     int channels = src->format == IRIS_GRAY8 ? 1 : 3;
     walk w = walk_of(birdseye, y);
     run r;
     while (next_run(&r, &w)) {
-        for (int32_t first = 0; first < r.n; first += PIECE) {
-            int32_t n = r.n - first < PIECE ? r.n - first : PIECE;
-            iris_place at = place_in(&r, first);
-            const run piece = {n, r.exists, at.x_q16, at.y_q16, r.dx, r.dy};
-            iris_place end = place_in(&piece, n - 1);
-            if (!r.exists || is_outside(at, end, src)) {
-                memset(to, birdseye->window.fill, (size_t)n * (size_t)channels);
-            } else if (!is_inside(at, src) || !is_inside(end, src)) {
-                draw_edge(to, &piece, src, channels, birdseye->window.fill);
-            } else {
-                (channels == 1 ? draw_gray : draw_color)(to, &piece, src);
-            }
-            to += n * channels;
-        }
+        draw_run(to, &r, src, channels, birdseye->window.fill);
+        to += r.n * channels;
     }
 }
 

@@ -1,26 +1,10 @@
 /* Tones on pictures. */
 #include "tone_lightness.h"
 
+#include "../foundation/kernel.h"
 #include "../foundation/lightness.h"
 #include "../foundation/views.h"
 #include "iris/xt/tone.h"
-
-/* Four at a time, all read before one is written: dst and src may lie so that a processor takes them for the same. */
-static void row_apply(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n)
-{
-    int32_t i = 0;
-    for (; i + 4 <= n; i += 4) {
-        uint8_t first = level[src[i]], second = level[src[i + 1]];
-        uint8_t third = level[src[i + 2]], fourth = level[src[i + 3]];
-        dst[i] = first;
-        dst[i + 1] = second;
-        dst[i + 2] = third;
-        dst[i + 3] = fourth;
-    }
-    for (; i < n; i++) {
-        dst[i] = level[src[i]];
-    }
-}
 
 iris_status iris_tone_row(uint8_t *dst, const uint8_t *src, int32_t n, const iris_tone *tone)
 {
@@ -34,7 +18,7 @@ iris_status iris_tone_row(uint8_t *dst, const uint8_t *src, int32_t n, const iri
     if (to != from && to < from + bytes && from < to + bytes) {
         return IRIS_ERR_ALIAS;
     }
-    row_apply(dst, src, tone->level, n);
+    iris_row_tone_u8(dst, src, tone->level, n);
     return IRIS_OK;
 }
 
@@ -44,10 +28,14 @@ iris_status iris_tone_apply(const iris_image *dst, const iris_image *src, const 
     if (status != IRIS_OK) {
         return status;
     }
-    int32_t bytes = src->format == IRIS_GRAY8 ? src->w : 3 * src->w;
-    for (int32_t y = 0; y < src->h; y++) {
-        row_apply((uint8_t *)iris_image_row(dst, y), (const uint8_t *)iris_image_row(src, y), tone->level,
-                  bytes);
+    int32_t bytes = src->format == IRIS_GRAY8 ? src->w : 3 * src->w, rows = src->h;
+    if (dst->stride == bytes && src->stride == bytes && bytes <= INT32_MAX / rows) { /* all are one row */
+        bytes *= rows;
+        rows = 1;
+    }
+    for (int32_t y = 0; y < rows; y++) {
+        iris_row_tone_u8((uint8_t *)iris_image_row(dst, y), (const uint8_t *)iris_image_row(src, y),
+                         tone->level, bytes);
     }
     return IRIS_OK;
 }

@@ -71,6 +71,36 @@ static void run_columns_up(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_columns16_u8)(rows[0] + (n > 0 ? n - 1 : 0) * 17, -17, from, n);
 }
 
+/* ---- along ---- */
+
+/* A picture whose last byte is the last one that may be read, or with its rows from the last one up. */
+enum { WAY_W = 61, WAY_H = 40, WAY_STRIDE = 64, WAY_BYTES = WAY_STRIDE * (WAY_H - 1) + WAY_W };
+static int32_t way_ends[2][2], way_is_up;
+
+static void choose_way(void)
+{
+    way_is_up = (int32_t)random_below(2);
+    for (int end = 0; end < 2; end++) {
+        for (int axis = 0; axis < 2; axis++) {
+            uint32_t side = axis ? WAY_H : WAY_W, last = (side - 1) * 65536u - 1, which = random_below(8);
+            way_ends[end][axis] = (int32_t)(which == 0 ? 0 : which == 1 ? last : random_below(last + 1));
+        }
+    }
+}
+
+static void run_along(int plain, uint8_t **rows, int32_t n)
+{
+    int32_t steps = n > 1 ? n - 1 : 1;
+    iris_row_way way = {rows[1], WAY_STRIDE, way_ends[0][0], way_ends[0][1], 0, 0};
+    way.dx = (way_ends[1][0] - way_ends[0][0]) / steps;
+    way.dy = (way_ends[1][1] - way_ends[0][1]) / steps;
+    if (way_is_up) {
+        way.src += WAY_STRIDE * (WAY_H - 1);
+        way.stride = -WAY_STRIDE;
+    }
+    BODY(plain, iris_row_along_u8)(rows[0], &way, n);
+}
+
 static const kernel_case cases[] = {
     {KERNEL(iris_row_halve2_u8), run_halve2, NULL, {ROW_U8, ROW(1, 2, 1, fill_u8), ROW(1, 2, 1, fill_u8)}},
     {KERNEL(iris_row_between_u8),
@@ -82,6 +112,7 @@ static const kernel_case cases[] = {
      choose_beyond,
      {ROW(1, 24, 1, fill_u8), ROW(1, 16, 1, fill_u8)}},
     {KERNEL(iris_row_columns16_u8), run_columns_up, NULL, {ROW(1, 17, 1, fill_u8), ROW(1, 16, 1, fill_u8)}},
+    {KERNEL(iris_row_along_u8), run_along, choose_way, {ROW_U8, TABLE(WAY_BYTES, 1, fill_u8)}},
 };
 
 /* ---- truths ---- */
@@ -157,12 +188,32 @@ static void truth_of_columns(void **state)
     }
 }
 
+/* A plane, which rises by 3 to the right and by 2 down, along a diagonal in quarters and halves of a pixel. */
+static void truth_of_along(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        static uint8_t src[16 * 30];
+        uint8_t dst[N];
+        const iris_row_way way = {src, 16, 0, 0, 65536 / 4, 65536 / 2};
+        for (int i = 0; i < 16 * 30; i++) {
+            src[i] = (uint8_t)(3 * (i % 16) + 2 * (i / 16));
+        }
+        BODY(plain, iris_row_along_u8)(dst, &way, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(dst[i], (3 * i + 4 * i + 2) / 4);
+        }
+    }
+}
+
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_halve2),
         cmocka_unit_test(truth_of_between),
         cmocka_unit_test(truth_of_columns),
+        cmocka_unit_test(truth_of_along),
     };
     return cmocka_run_group_tests_name("kernels of samples", tests, NULL, NULL);
 }

@@ -7,6 +7,8 @@
 
 #undef IRIS_PORT_NAME
 #define IRIS_PORT_NAME "avx2"
+#undef IRIS_PORT_OVERRIDES
+#define IRIS_PORT_OVERRIDES 48
 
 #undef IRIS_PORT_OVERRIDES
 #define IRIS_PORT_OVERRIDES 40
@@ -92,5 +94,12 @@ void iris_row_between_u8_avx2(uint8_t *dst, const uint8_t *const rows[2], const 
 void iris_row_columns16_u8_avx2(uint8_t *dst, ptrdiff_t stride, const uint8_t *const rows[16], int32_t n);
 #undef iris_row_columns16_u8
 #define iris_row_columns16_u8 iris_row_columns16_u8_avx2
+
+void iris_row_tone_u8_avx2(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n);
+#undef iris_row_tone_u8
+#define iris_row_tone_u8 iris_row_tone_u8_avx2
+
+void iris_row_along_u8_avx2(uint8_t *dst, const iris_row_way *way, int32_t n);
+#define iris_row_along_u8 iris_row_along_u8_avx2
 
 #endif

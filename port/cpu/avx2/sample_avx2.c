@@ -107,3 +107,71 @@ void iris_row_columns16_u8_avx2(uint8_t *dst, ptrdiff_t stride, const uint8_t *c
         }
     }
 }
+
+/* Eight places as they go on. */
+typedef struct {
+    __m256i x, y;
+} eight_on;
+
+/* Four bytes are gathered for each pixel and its right neighbor, and none behind that one: from two bytes before the pixel,
+ * or from the row's first byte on. */
+static inline __m128i along_8(const uint8_t *src, int32_t stride, const eight_on *at)
+{
+    __m256i column = _mm256_srai_epi32(at->x, 16), row = _mm256_srai_epi32(at->y, 16);
+    __m256i before = _mm256_min_epi32(column, _mm256_set1_epi32(2));
+    __m256i from = _mm256_add_epi32(_mm256_mullo_epi32(row, _mm256_set1_epi32(stride)),
+                                    _mm256_sub_epi32(column, before));
+    __m256i above = _mm256_i32gather_epi32((const int *)(const void *)src, from, 1);
+    __m256i below = _mm256_i32gather_epi32((const int *)(const void *)(src + stride), from, 1);
+    __m256i shift = _mm256_slli_epi32(before, 3);
+    above = _mm256_srlv_epi32(above, shift);
+    below = _mm256_slli_epi32(_mm256_srlv_epi32(below, shift), 16);
+    __m256i four = _mm256_blend_epi16(above, below, 0xaa);
+    /* above and below, 16 bits each */
+    const __m256i fraction = _mm256_setr_epi8(1, -1, 1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1, 1, -1,
+                                              1, -1, 5, -1, 5, -1, 9, -1, 9, -1, 13, -1, 13, -1);
+    __m256i left = _mm256_and_si256(four, _mm256_set1_epi16(255)), other = _mm256_srli_epi16(four, 8);
+    __m256i both = _mm256_mullo_epi16(_mm256_sub_epi16(other, left), _mm256_shuffle_epi8(at->x, fraction));
+    both = _mm256_add_epi16(both, _mm256_slli_epi16(left, 8));
+    /* their sum by (256 - down, down), as signed numbers */
+    __m256i down = _mm256_and_si256(_mm256_srli_epi32(at->y, 8), _mm256_set1_epi32(255));
+    __m256i weights =
+        _mm256_add_epi32(_mm256_sub_epi32(_mm256_slli_epi32(down, 16), down), _mm256_set1_epi32(256));
+    __m256i sum = _mm256_madd_epi16(_mm256_xor_si256(both, _mm256_set1_epi16(INT16_MIN)), weights);
+    sum = _mm256_srli_epi32(_mm256_add_epi32(sum, _mm256_set1_epi32(32768 * 257)), 16);
+    return _mm_packus_epi32(_mm256_castsi256_si128(sum), _mm256_extracti128_si256(sum, 1));
+}
+
+static inline void go_on(eight_on *at, __m256i dx, __m256i dy)
+{
+    at->x = _mm256_add_epi32(at->x, dx);
+    at->y = _mm256_add_epi32(at->y, dy);
+}
+
+static inline __m256i begin_at(int32_t first, int32_t step)
+{
+    const __m256i count = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+    return _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_mullo_epi32(count, _mm256_set1_epi32(step)));
+}
+
+/* Rows are counted from the first place's, so that an offset fits 32 bits. */
+void iris_row_along_u8_avx2(uint8_t *dst, const iris_row_way *way, int32_t n)
+{
+    int32_t i = 0;
+    if (way->stride <= INT16_MAX && way->stride >= INT16_MIN) {
+        const uint8_t *src = way->src + (way->y >> 16) * way->stride;
+        const __m256i dx = _mm256_slli_epi32(_mm256_set1_epi32(way->dx), 3);
+        const __m256i dy = _mm256_slli_epi32(_mm256_set1_epi32(way->dy), 3);
+        eight_on at = {begin_at(way->x, way->dx), begin_at(way->y & 65535, way->dy)};
+        for (; i + 8 <= n; i += 8, go_on(&at, dx, dy)) {
+            __m128i made = along_8(src, (int32_t)way->stride, &at);
+            _mm_storel_epi64((__m128i *)(void *)(dst + i), _mm_packus_epi16(made, made));
+        }
+    }
+    if (i < n) {
+        iris_row_way rest = *way;
+        rest.x += i * way->dx;
+        rest.y += i * way->dy;
+        iris_row_along_u8_c(dst + i, &rest, n - i);
+    }
+}
