@@ -506,4 +506,12 @@ void iris_row_along_u8_c(uint8_t *dst, const iris_row_way *way, int32_t n);
 #define iris_row_along_u8 iris_row_along_u8_c
 #endif
 
+/* dst = the mean of the 3x3 samples around, of three rows, rounded half up. A pixel's neighbors are `step` samples away, 1 or
+ * 3; rows are readable from -step up to below n + step. columns becomes the sums of the three rows, from -step on. */
+void iris_row_box9_u8_c(uint8_t *dst, uint16_t *columns, const uint8_t *const rows[3], int32_t step,
+                        int32_t n);
+#ifndef iris_row_box9_u8
+#define iris_row_box9_u8 iris_row_box9_u8_c
+#endif
+
 #endif

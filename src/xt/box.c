@@ -19,6 +19,33 @@ static void start(uint16_t *columns, const iris_rows *rows, iris_rows_window win
     }
 }
 
+/* The row that the window is around. Nine samples are added anew, more by what enters the window and what leaves it. */
+static void make_row(const iris_image *dst, const iris_rows *rows, int32_t side, uint16_t *columns)
+{
+    const iris_rows_window *window = &rows->window;
+    const int32_t channels = rows->channels, before = window->left * channels;
+    int32_t first, end;
+    if (side != 3) {
+        iris_row_slide_u16(columns, iris_rows_at(rows, window->below) - before,
+                           iris_rows_at(rows, -window->above - 1) - before,
+                           (rows->src->w + side - 1) * channels);
+    }
+    if (!iris_rows_span(&first, &end, rows)) {
+        return;
+    }
+    uint8_t *to = (uint8_t *)iris_image_row(dst, rows->y) + first * channels;
+    const int32_t samples = (end - first) * channels;
+    if (side == 3) {
+        const uint8_t *three[3];
+        for (int32_t k = 0; k < 3; k++) {
+            three[k] = iris_rows_at(rows, k - 1) + first * channels;
+        }
+        iris_row_box9_u8(to, columns, three, channels, samples);
+    } else {
+        iris_row_box_mean_u8(to, columns + first * channels, side, channels, samples);
+    }
+}
+
 iris_status iris_blur_box(const iris_image *dst, const iris_image *src, int32_t side, iris_border border,
                           iris_scratch *scratch)
 {
@@ -41,17 +68,12 @@ iris_status iris_blur_box(const iris_image *dst, const iris_image *src, int32_t 
         iris_scratch_release(scratch, mark);
         return IRIS_ERR_SCRATCH;
     }
-    start(columns, &rows, window, n);
+    if (side != 3) {
+        start(columns, &rows, window, n);
+    }
     rows.window = window; /* what iris_rows_span goes by */
     for (; rows.y < src->h; iris_rows_next(&rows)) {
-        int32_t first, end, before = window.left * channels;
-        iris_row_slide_u16(columns, iris_rows_at(&rows, window.below) - before,
-                           iris_rows_at(&rows, -window.above - 1) - before, n);
-        if (iris_rows_span(&first, &end, &rows)) {
-            iris_row_box_mean_u8((uint8_t *)iris_image_row(dst, rows.y) + first * channels,
-                                 columns + (first - window.left) * channels + before, side, channels,
-                                 (end - first) * channels);
-        }
+        make_row(dst, &rows, side, columns);
     }
     iris_scratch_release(scratch, mark);
     return IRIS_OK;

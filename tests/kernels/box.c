@@ -33,8 +33,24 @@ static void run(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_box_mean_u8)(rows[0], (const uint16_t *)(void *)rows[1], side, step, n);
 }
 
+static int32_t more_sums(void)
+{
+    return 2 * step;
+}
+
+static void run_box9(int plain, uint8_t **rows, int32_t n)
+{
+    const uint8_t *const three[3] = {rows[2], rows[3], rows[4]};
+    BODY(plain, iris_row_box9_u8)(rows[0], (uint16_t *)(void *)rows[1], three, step, n);
+}
+
 static const kernel_case cases[] = {
     {KERNEL(iris_row_box_mean_u8), run, choose_side, {ROW_U8, ROW_MORE(1, 2, 2, fill_columns, more_columns)}},
+    {KERNEL(iris_row_box9_u8),
+     run_box9,
+     choose_side,
+     {ROW_U8, ROW_MORE(1, 2, 2, fill_u16, more_sums), ROW_U8_AROUND(3, 3), ROW_U8_AROUND(3, 3),
+      ROW_U8_AROUND(3, 3)}},
 };
 
 /* ---- truths ---- */
@@ -93,11 +109,42 @@ static void truth_of_channels(void **state)
     }
 }
 
+/* Every sum of nine samples, in the one that is not 0 and in those above it; and which samples these are. */
+static void truth_of_box9(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        uint16_t columns[N + 6];
+        uint8_t dst[N], row[3][N + 6],
+            *rows[5] = {dst, (uint8_t *)columns, row[0] + 3, row[1] + 3, row[2] + 3};
+        for (step = 1; step <= 3; step += 2) {
+            for (int sum = 0; sum <= 9 * 255; sum++) {
+                for (int i = 0; i < 3 * (N + 6); i++) {
+                    int left = sum - i / (N + 6) * 765 - (i + 2 * step) / step % 3 * 255;
+                    row[i / (N + 6)][i % (N + 6)] = (uint8_t)(left < 0 ? 0 : left > 255 ? 255 : left);
+                }
+                run_box9(plain, rows, N);
+                for (int i = 0; i < N; i++) {
+                    assert_int_equal(dst[i], (2 * sum + 9) / 18);
+                }
+            }
+            memset(row, 0, sizeof row);
+            row[1][3 + 20] = 90;
+            run_box9(plain, rows, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(dst[i], abs(i - 20) == step || i == 20 ? 10 : 0);
+            }
+        }
+    }
+}
+
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_division),
         cmocka_unit_test(truth_of_channels),
+        cmocka_unit_test(truth_of_box9),
     };
     return cmocka_run_group_tests_name("kernels of box", tests, NULL, NULL);
 }

@@ -102,4 +102,8 @@ void iris_row_tone_u8_avx2(uint8_t *dst, const uint8_t *src, const uint8_t level
 void iris_row_along_u8_avx2(uint8_t *dst, const iris_row_way *way, int32_t n);
 #define iris_row_along_u8 iris_row_along_u8_avx2
 
+void iris_row_integral_u8_avx2(uint32_t *dst, const uint32_t *above, const uint8_t *src, int32_t n);
+#undef iris_row_integral_u8
+#define iris_row_integral_u8 iris_row_integral_u8_avx2
+
 #endif

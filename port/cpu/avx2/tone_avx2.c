@@ -27,18 +27,19 @@ static inline __m256i line_16(__m256i high, const tone_line *line)
                              line->keeps ? 9 : 8);
 }
 
-/* One of two loops: a line that keeps has no whole part. */
+/* One of two loops: a line that keeps has no whole part, and what is beyond its range is beyond white by itself. */
 static inline __attribute__((always_inline)) void apply(uint8_t *dst, const uint8_t *src,
                                                         const tone_line *line, int32_t n)
 {
     const __m256i zero = _mm256_setzero_si256();
     const __m256i low = _mm256_set1_epi8((char)line->low), range = _mm256_set1_epi8((char)line->range);
     for (int32_t i = 0; i < n; i += 32) {
-        __m256i a = _mm256_min_epu8(_mm256_subs_epu8(load32(src + i), low), range);
+        __m256i a = _mm256_subs_epu8(load32(src + i), low);
+        a = line->keeps ? a : _mm256_min_epu8(a, range);
         __m256i first = line_16(_mm256_unpacklo_epi8(zero, a), line);
         __m256i second = line_16(_mm256_unpackhi_epi8(zero, a), line);
         __m256i sum = _mm256_packus_epi16(first, second);
-        store32(dst + i, line->keeps ? _mm256_add_epi8(sum, a) : sum);
+        store32(dst + i, line->keeps ? _mm256_adds_epu8(sum, a) : sum);
     }
 }
 
