@@ -514,4 +514,10 @@ void iris_row_box9_u8_c(uint8_t *dst, uint16_t *columns, const uint8_t *const ro
 #define iris_row_box9_u8 iris_row_box9_u8_c
 #endif
 
+/* extremes[0] becomes the least of itself and all samples, extremes[1] the greatest. */
+void iris_row_extremes_u8_c(uint8_t extremes[2], const uint8_t *src, int32_t n);
+#ifndef iris_row_extremes_u8
+#define iris_row_extremes_u8 iris_row_extremes_u8_c
+#endif
+
 #endif

@@ -1,4 +1,4 @@
-/* What becomes of gray levels, by a table. */
+/* Gray levels: what becomes of them, by a table; and how far they go. */
 #include "kernel.h"
 
 /* Four at a time, all read before one is written: dst and src may lie so that a processor takes them for the same. */
@@ -16,4 +16,15 @@ void iris_row_tone_u8_c(uint8_t *dst, const uint8_t *src, const uint8_t level[25
     for (; i < n; i++) {
         dst[i] = level[src[i]];
     }
+}
+
+void iris_row_extremes_u8_c(uint8_t extremes[2], const uint8_t *src, int32_t n)
+{
+    uint8_t least = extremes[0], most = extremes[1];
+    for (int32_t i = 0; i < n; i++) {
+        least = src[i] < least ? src[i] : least;
+        most = src[i] > most ? src[i] : most;
+    }
+    extremes[0] = least;
+    extremes[1] = most;
 }

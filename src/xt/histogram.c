@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "../foundation/kernel.h"
+#include "../foundation/views.h"
 #include "histogram_gray.h"
 #include "iris/color.h"
 
@@ -154,5 +156,28 @@ iris_status iris_histogram(uint32_t histogram[256], const iris_image *src, int32
         const uint32_t *selected = mask ? (const uint32_t *)iris_image_row(mask, y) : NULL;
         count_row(histogram, iris_image_row(src, y), src->format, channel, src->w, selected);
     }
+    return IRIS_OK;
+}
+
+iris_status iris_histogram_extremes(uint8_t *darkest, uint8_t *brightest, const iris_image *src)
+{
+    if (!darkest || !brightest) {
+        return IRIS_ERR_ARG;
+    }
+    iris_status status = iris_views_check_one(src, IRIS_GRAY8);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    uint8_t extremes[2] = {255, 0};
+    int32_t n = src->w, rows = src->h;
+    if (src->stride == n && n <= INT32_MAX / rows) { /* all are one row */
+        n *= rows;
+        rows = 1;
+    }
+    for (int32_t y = 0; y < rows; y++) {
+        iris_row_extremes_u8(extremes, (const uint8_t *)iris_image_row(src, y), n);
+    }
+    *darkest = extremes[0];
+    *brightest = extremes[1];
     return IRIS_OK;
 }

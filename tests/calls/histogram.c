@@ -54,10 +54,14 @@ static void percentile(void)
     CALL(iris_histogram_percentile(level, histogram, share));
 }
 
+static void extremes(void)
+{
+    uint8_t *darkest = OR_NULL(draw_results(1)), *brightest = OR_NULL(draw_results(1));
+    CALL(iris_histogram_extremes(darkest, brightest, draw_input(counted_format(), draw_size())));
+}
+
 const random_call calls_histogram[] = {
-    {"iris_histogram", picture},
-    {"iris_histogram_row", row},
-    {"iris_histogram_measure", measure},
-    {"iris_histogram_percentile", percentile},
-    {NULL, NULL},
+    {"iris_histogram", picture},           {"iris_histogram_row", row},
+    {"iris_histogram_measure", measure},   {"iris_histogram_percentile", percentile},
+    {"iris_histogram_extremes", extremes}, {NULL, NULL},
 };

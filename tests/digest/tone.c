@@ -84,6 +84,14 @@ static void histogram(void)
     digest_histogram_of(&rgb, IRIS_CHANNEL_LIGHTNESS, NULL);
 }
 
+static void extremes(void)
+{
+    iris_image image = digest_picture(IRIS_GRAY8, W, H);
+    uint8_t darkest = 0, brightest = 0;
+    digest_number(iris_histogram_extremes(&darkest, &brightest, &image));
+    digest_number(darkest << 8 | brightest);
+}
+
 static void equalize(void)
 {
     static const iris_format formats[] = {IRIS_GRAY8, IRIS_RGB888};
@@ -112,6 +120,7 @@ const digest_operation digest_tone[] = {
     {"tone.pictures", pictures},
     {"tone.adjust", adjust},
     {"histogram.counts", histogram},
+    {"histogram.extremes", extremes},
     {"equalize.whole", equalize},
     {"equalize.local", equalize_local},
     {NULL, NULL},

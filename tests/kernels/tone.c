@@ -38,6 +38,11 @@ static void fill_levels(uint8_t *level, size_t bytes)
     level[random_below(256)] ^= (uint8_t)random_below(2);
 }
 
+static void run_extremes(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_extremes_u8)(rows[0], rows[1], n);
+}
+
 static const kernel_case cases[] = {
     {KERNEL(iris_row_tone_u8), run_tone, NULL, {ROW_U8, ROW_U8, TABLE(256, 1, fill_u8)}},
     {KERNEL(iris_row_tone_u8), run_tone_in_place, NULL, {ROW_U8, TABLE(256, 1, fill_levels)}},
@@ -45,9 +50,32 @@ static const kernel_case cases[] = {
      run_long,
      NULL,
      {ROW(1, LONG, 1, fill_u8), ROW(1, LONG, 1, fill_u8), TABLE(256, 1, fill_levels)}},
+    {KERNEL(iris_row_extremes_u8), run_extremes, NULL, {TABLE(2, 1, fill_u8), ROW_U8}},
 };
 
 /* ---- truths ---- */
+
+/* Both at each place in turn; and no sample is farther than what is given. */
+static void truth_of_extremes(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (int i = 0; i < N; i++) {
+            uint8_t src[N], extremes[2] = {255, 0}, far[2] = {1, 250}, *rows[2] = {extremes, src};
+            memset(src, 100, sizeof src);
+            src[i] = 7;
+            src[(i + 11) % N] = 201;
+            run_extremes(plain, rows, N);
+            assert_int_equal(extremes[0], 7);
+            assert_int_equal(extremes[1], 201);
+            rows[0] = far;
+            run_extremes(plain, rows, N);
+            assert_int_equal(far[0], 1);
+            assert_int_equal(far[1], 250);
+        }
+    }
+}
 
 static void check_all_levels(const uint8_t *level)
 {
@@ -96,6 +124,7 @@ static int truths(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_line_is_its_table),
         cmocka_unit_test(a_table_is_what_it_says),
+        cmocka_unit_test(truth_of_extremes),
     };
     return cmocka_run_group_tests_name("kernels of tone", tests, NULL, NULL);
 }

@@ -278,6 +278,33 @@ static void wrong_calls_are_refused(void **state)
         iris_histogram_row(histogram, pixels, IRIS_GRAY8, 0, 1, (const uint32_t *)(uintptr_t)odd),
         IRIS_ERR_ALIGN);
     assert_memory_equal(histogram, before, sizeof before);
+    assert_int_equal(iris_histogram_extremes(NULL, &level, &gray), IRIS_ERR_ARG);
+    assert_int_equal(iris_histogram_extremes(&level, NULL, &gray), IRIS_ERR_ARG);
+    assert_int_equal(iris_histogram_extremes(&level, &level, NULL), IRIS_ERR_ARG);
+    assert_int_equal(iris_histogram_extremes(&level, &level, &rgb), IRIS_ERR_FORMAT);
+    assert_int_equal(level, 9);
+}
+
+/* Rows with and without space between them, and last row first; the space holds what is farther. */
+static void extremes_of_views(void **state)
+{
+    (void)state;
+    static const ptrdiff_t strides[] = {W, W + 3, -W, -(W + 3)};
+    for (size_t i = 0; i < sizeof strides / sizeof strides[0]; i++) {
+        iris_image image = view(IRIS_GRAY8, strides[i]);
+        uint8_t darkest = 0, brightest = 0;
+        for (size_t k = 0; k < sizeof pixels; k++) {
+            pixels[k] = k % 2 ? 255 : 0;
+        }
+        for (int32_t y = 0; y < H; y++) {
+            memset(iris_image_row(&image, y), 90, W);
+        }
+        ((uint8_t *)iris_image_row(&image, H - 1))[W - 1] = 40;
+        ((uint8_t *)iris_image_row(&image, 0))[0] = 180;
+        assert_int_equal(iris_histogram_extremes(&darkest, &brightest, &image), IRIS_OK);
+        assert_int_equal(darkest, 40);
+        assert_int_equal(brightest, 180);
+    }
 }
 
 int main(void)
@@ -288,6 +315,7 @@ int main(void)
         cmocka_unit_test(statistics_by_hand),
         cmocka_unit_test(statistics_in_wide_numbers),
         cmocka_unit_test(a_picture_is_counted),
+        cmocka_unit_test(extremes_of_views),
         cmocka_unit_test(wrong_calls_are_refused),
     };
     return cmocka_run_group_tests_name("histogram", tests, NULL, NULL);

@@ -56,6 +56,11 @@ iris_status iris_histogram_measure(iris_histogram_statistics *statistics, const 
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: share_q16 outside 0..IRIS_Q16_ONE, or no counts. O(256). */
 iris_status iris_histogram_percentile(uint8_t *level, const uint32_t histogram[256], iris_q16 share_q16);
 
+/* The darkest and the brightest level of an IRIS_GRAY8 picture, which need no counting: what a stretch from black to white
+ * begins with (iris_tone_levels).
+ * IRIS_ERR_ARG: null pointer, and the errors of iris_image_check; IRIS_ERR_FORMAT: another format. O(pixels). */
+iris_status iris_histogram_extremes(uint8_t *darkest, uint8_t *brightest, const iris_image *src);
+
 #ifdef __cplusplus
 }
 #endif
