@@ -70,9 +70,10 @@ static iris_tone tone;
 
 static iris_status stretch(void)
 {
-    iris_status status = histogram();
+    uint8_t darkest, brightest;
+    iris_status status = iris_histogram_extremes(&darkest, &brightest, &bench_frame.gray);
     (void)iris_tone_identity(&tone);
-    status = status == IRIS_OK ? iris_tone_stretch_share(&tone, counts, 0) : status;
+    status = status == IRIS_OK ? iris_tone_levels(&tone, darkest, brightest) : status;
     return status == IRIS_OK ? iris_tone_apply(&bench_frame.gray_to, &bench_frame.gray, &tone) : status;
 }
 
