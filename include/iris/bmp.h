@@ -82,7 +82,7 @@ iris_status iris_bmp_finish(iris_bmp_reader *reader);
 
 /* iris_bmp_row for all rows (those not delivered yet), then iris_bmp_finish. image must be reader->w x reader->h, in
  * one of the three formats; any stride.
- * The errors of iris_bmp_row, with the rows that were not delivered untouched; IRIS_ERR_RANGE: another size. O(w h). */
+ * The errors of iris_bmp_row, with the rows behind the one that failed untouched; IRIS_ERR_RANGE: another size. O(w h). */
 iris_status iris_bmp_read(const iris_image *image, iris_bmp_reader *reader);
 
 typedef struct {

@@ -1,5 +1,6 @@
 /* The rows of a BMP, and its end. */
 #include "bmp_reader.h"
+#include "kernel.h"
 #include "picture_read.h"
 
 static size_t pixel_row_bytes(const iris_bmp_reader *reader)
@@ -13,8 +14,17 @@ static size_t file_row_bytes(const iris_bmp_reader *reader)
     return (pixel_row_bytes(reader) + 3) / 4 * 4;
 }
 
-/* The padding behind the last row may be missing. */
-static iris_status plain_row(iris_bmp_reader *reader, iris_bmp_row_out out)
+/* Pixels that are in the file as they are wanted but for their order. */
+static iris_status read_in_place(const iris_bmp_reader *reader, iris_bmp_row_out out)
+{
+    iris_status status = iris_stream_read(reader->stream, out.pixels, pixel_row_bytes(reader));
+    if (status == IRIS_OK && out.format == IRIS_RGB888) {
+        iris_row_swap_888(out.pixels, out.pixels, reader->w);
+    }
+    return status;
+}
+
+static iris_status read_in_pieces(const iris_bmp_reader *reader, iris_bmp_row_out out)
 {
     uint8_t packed[IRIS_BMP_PIECE];
     int32_t most = iris_bmp_piece_pixels(reader);
@@ -26,6 +36,14 @@ static iris_status plain_row(iris_bmp_reader *reader, iris_bmp_row_out out)
             iris_bmp_unpack(reader, out, x, packed, n);
         }
     }
+    return status;
+}
+
+/* The padding behind the last row may be missing. */
+static iris_status plain_row(iris_bmp_reader *reader, iris_bmp_row_out out)
+{
+    int in_place = reader->bits == 24 && out.pixels && out.format != IRIS_GRAY8;
+    iris_status status = in_place ? read_in_place(reader, out) : read_in_pieces(reader, out);
     if (status == IRIS_OK && reader->next < reader->h - 1) {
         status = iris_stream_skip(reader->stream, file_row_bytes(reader) - pixel_row_bytes(reader));
     }
