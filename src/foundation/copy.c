@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "kernel.h"
 #include "views.h"
 
 static iris_status check_both(const iris_image *dst, const iris_image *src)
@@ -287,6 +288,10 @@ iris_status iris_channel_extract(const iris_image *dst, const iris_image *src, i
         uint8_t *to = iris_image_row(dst, y);
         const uint8_t *from = (const uint8_t *)iris_image_row(src, y) + channel;
         int32_t step = channels_of(src->format);
+        if (step == 3) {
+            iris_row_every_third_u8(to, from, dst->w);
+            continue;
+        }
         for (int32_t x = 0; x < dst->w; x++) {
             to[x] = from[x * step];
         }

@@ -520,4 +520,16 @@ void iris_row_extremes_u8_c(uint8_t extremes[2], const uint8_t *src, int32_t n);
 #define iris_row_extremes_u8 iris_row_extremes_u8_c
 #endif
 
+/* dst[i] = src[n - 1 - i]. dst may be src. */
+void iris_row_reverse_u8_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_reverse_u8
+#define iris_row_reverse_u8 iris_row_reverse_u8_c
+#endif
+
+/* dst[i] = src[3 i]: a channel of three. */
+void iris_row_every_third_u8_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_every_third_u8
+#define iris_row_every_third_u8 iris_row_every_third_u8_c
+#endif
+
 #endif

@@ -57,3 +57,36 @@ void iris_row_along_u8_c(uint8_t *dst, const iris_row_way *way, int32_t n)
         dst[i] = (uint8_t)((top * 256 + (bottom - top) * down + 32768) >> 16);
     }
 }
+
+static inline uint64_t reversed_bytes(uint64_t word)
+{
+    word = (word >> 8 & 0x00FF00FF00FF00FFu) | (word & 0x00FF00FF00FF00FFu) << 8;
+    word = (word >> 16 & 0x0000FFFF0000FFFFu) | (word & 0x0000FFFF0000FFFFu) << 16;
+    return word >> 32 | word << 32;
+}
+
+/* Eight at a time from both ends, until they would meet. */
+void iris_row_reverse_u8_c(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (; n >= 16; n -= 16, src += 8, dst += 8) {
+        uint64_t left, right;
+        memcpy(&left, src, 8);
+        memcpy(&right, src + n - 8, 8);
+        left = reversed_bytes(left);
+        right = reversed_bytes(right);
+        memcpy(dst, &right, 8);
+        memcpy(dst + n - 8, &left, 8);
+    }
+    for (int32_t i = 0; 2 * i < n; i++) {
+        uint8_t left = src[i], right = src[n - 1 - i];
+        dst[i] = right;
+        dst[n - 1 - i] = left;
+    }
+}
+
+void iris_row_every_third_u8_c(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[i] = src[3 * i];
+    }
+}

@@ -33,35 +33,11 @@ static inline void reverse_pixels(uint8_t *row, int32_t n, size_t bytes)
     }
 }
 
-static inline uint64_t reversed_bytes(uint64_t word)
-{
-    word = (word >> 8 & 0x00FF00FF00FF00FFu) | (word & 0x00FF00FF00FF00FFu) << 8;
-    word = (word >> 16 & 0x0000FFFF0000FFFFu) | (word & 0x0000FFFF0000FFFFu) << 16;
-    return word >> 32 | word << 32;
-}
-
-/* Eight at a time from both ends, until they would meet. */
-static void reverse_bytes(uint8_t *row, int32_t n)
-{
-    for (; n >= 16; n -= 16, row += 8) {
-        uint64_t left, right;
-        memcpy(&left, row, 8);
-        memcpy(&right, row + n - 8, 8);
-        left = reversed_bytes(left);
-        right = reversed_bytes(right);
-        memcpy(row, &right, 8);
-        memcpy(row + n - 8, &left, 8);
-    }
-    if (n > 0) {
-        reverse_pixels(row, n, 1);
-    }
-}
-
 static void reverse_row(uint8_t *row, int32_t n, size_t bytes)
 {
     switch (bytes) {
     case 1:
-        reverse_bytes(row, n);
+        iris_row_reverse_u8(row, row, n);
         break;
     case 2:
         reverse_pixels(row, n, 2);
@@ -215,6 +191,7 @@ static void transpose(const iris_image *dst, const iris_image *src)
     }
 }
 
+/* In place. */
 static void mirror_x(const iris_image *image)
 {
     for (int32_t y = 0; y < image->h; y++) {
@@ -302,6 +279,13 @@ iris_status iris_turn(const iris_image *dst, const iris_image *src, iris_turning
         iris_image to = how & MIRRORED_Y ? upside_down(dst) : *dst;
         iris_image from = how & MIRRORED_X ? upside_down(src) : *src;
         transpose(&to, &from);
+        return IRIS_OK;
+    }
+    if ((how & MIRRORED_X) && dst->data != src->data && iris_format_row_bytes(dst->format, 1) == 1) {
+        iris_image from = how & MIRRORED_Y ? upside_down(src) : *src;
+        for (int32_t y = 0; y < dst->h; y++) {
+            iris_row_reverse_u8(iris_image_row(dst, y), iris_image_row(&from, y), dst->w);
+        }
         return IRIS_OK;
     }
     if (dst->data == src->data) {

@@ -57,7 +57,8 @@ static void percentile(void)
 static void extremes(void)
 {
     uint8_t *darkest = OR_NULL(draw_results(1)), *brightest = OR_NULL(draw_results(1));
-    CALL(iris_histogram_extremes(darkest, brightest, draw_input(counted_format(), draw_size())));
+    const iris_image *src = draw_input(counted_format(), draw_size());
+    CALL(iris_histogram_extremes(darkest, brightest, src));
 }
 
 const random_call calls_histogram[] = {

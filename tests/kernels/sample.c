@@ -71,6 +71,31 @@ static void run_columns_up(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_columns16_u8)(rows[0] + (n > 0 ? n - 1 : 0) * 17, -17, from, n);
 }
 
+/* ---- reversed, and one of three ---- */
+
+static void run_reverse(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_reverse_u8)(rows[0], rows[1], n);
+}
+
+static void run_reverse_in_place(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_reverse_u8)(rows[0], rows[0], n);
+}
+
+/* Nothing is read behind the last sample, whichever of the three it is. */
+static int32_t third;
+
+static void choose_third(void)
+{
+    third = (int32_t)random_below(3);
+}
+
+static void run_every_third(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_every_third_u8)(rows[0], rows[1] + third, n);
+}
+
 /* ---- along ---- */
 
 /* A picture whose last byte is the last one that may be read, or with its rows from the last one up. */
@@ -112,6 +137,9 @@ static const kernel_case cases[] = {
      choose_beyond,
      {ROW(1, 24, 1, fill_u8), ROW(1, 16, 1, fill_u8)}},
     {KERNEL(iris_row_columns16_u8), run_columns_up, NULL, {ROW(1, 17, 1, fill_u8), ROW(1, 16, 1, fill_u8)}},
+    {KERNEL(iris_row_reverse_u8), run_reverse, NULL, {ROW_U8, ROW_U8}},
+    {KERNEL(iris_row_reverse_u8), run_reverse_in_place, NULL, {ROW_U8}},
+    {KERNEL(iris_row_every_third_u8), run_every_third, choose_third, {ROW_U8, ROW_888}},
     {KERNEL(iris_row_along_u8), run_along, choose_way, {ROW_U8, TABLE(WAY_BYTES, 1, fill_u8)}},
 };
 
@@ -207,12 +235,34 @@ static void truth_of_along(void **state)
     }
 }
 
+static void truth_of_order(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (int n = 1; n <= N; n++) {
+            uint8_t src[3 * N], dst[N], *rows[2] = {dst, src};
+            for (int i = 0; i < 3 * N; i++) {
+                src[i] = (uint8_t)(i + 5);
+            }
+            run_reverse(plain, rows, n);
+            for (int i = 0; i < n; i++) {
+                assert_int_equal(dst[i], n - 1 - i + 5);
+            }
+            third = n % 3;
+            run_every_third(plain, rows, n);
+            for (int i = 0; i < n; i++) {
+                assert_int_equal(dst[i], 3 * i + third + 5);
+            }
+        }
+    }
+}
+
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_halve2),
-        cmocka_unit_test(truth_of_between),
-        cmocka_unit_test(truth_of_columns),
+        cmocka_unit_test(truth_of_halve2),  cmocka_unit_test(truth_of_between),
+        cmocka_unit_test(truth_of_columns), cmocka_unit_test(truth_of_order),
         cmocka_unit_test(truth_of_along),
     };
     return cmocka_run_group_tests_name("kernels of samples", tests, NULL, NULL);

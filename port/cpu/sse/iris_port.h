@@ -152,4 +152,7 @@ void iris_row_columns16_u8_sse(uint8_t *dst, ptrdiff_t stride, const uint8_t *co
 void iris_row_tone_u8_sse(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n);
 #define iris_row_tone_u8 iris_row_tone_u8_sse
 
+void iris_row_reverse_u8_sse(uint8_t *dst, const uint8_t *src, int32_t n);
+#define iris_row_reverse_u8 iris_row_reverse_u8_sse
+
 #endif

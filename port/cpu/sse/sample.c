@@ -90,3 +90,16 @@ void iris_row_columns16_u8_sse(uint8_t *dst, ptrdiff_t stride, const uint8_t *co
         }
     }
 }
+
+/* Sixteen at a time from both ends, until they would meet. */
+void iris_row_reverse_u8_sse(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    const __m128i back = _mm_setr_epi8(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+    for (; n >= 32; n -= 32, src += 16, dst += 16) {
+        __m128i left = _mm_shuffle_epi8(load16(src), back),
+                right = _mm_shuffle_epi8(load16(src + n - 16), back);
+        store16(dst, right);
+        store16(dst + n - 16, left);
+    }
+    iris_row_reverse_u8_c(dst, src, n);
+}
