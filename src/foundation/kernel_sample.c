@@ -1,4 +1,4 @@
-/* Samples at other places: halved, between others, and rows that become columns. */
+/* Samples at other places: halved, between others, turned, reversed, and picked. */
 #include <string.h>
 
 #include "kernel.h"
@@ -42,16 +42,16 @@ void iris_row_columns16_u8_c(uint8_t *dst, ptrdiff_t stride, const uint8_t *cons
     }
 }
 
-/* Above and below at once, 16 bits each: what wraps around on the way comes back. */
+/* Above and below at once, 16 bits each: what wraps around on the way comes back. So does a place behind the last one. */
 void iris_row_along_u8_c(uint8_t *dst, const iris_row_way *way, int32_t n)
 {
     const uint8_t *src = way->src;
     const ptrdiff_t stride = way->stride;
-    const int32_t dx = way->dx, dy = way->dy;
-    int32_t x = way->x, y = way->y;
+    const uint32_t dx = (uint32_t)way->dx, dy = (uint32_t)way->dy;
+    uint32_t x = (uint32_t)way->x, y = (uint32_t)way->y;
     for (int32_t i = 0; i < n; i++, x += dx, y += dy) {
-        const uint8_t *above = src + (y >> 16) * stride + (x >> 16), *below = above + stride;
-        uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
+        const uint8_t *above = src + (ptrdiff_t)(y >> 16) * stride + (x >> 16), *below = above + stride;
+        uint32_t right = x >> 8 & 255, down = y >> 8 & 255;
         uint32_t left = above[0] | (uint32_t)below[0] << 16, other = above[1] | (uint32_t)below[1] << 16;
         uint32_t both = left * 256 + (other - left) * right, top = both & 0xFFFF, bottom = both >> 16;
         dst[i] = (uint8_t)((top * 256 + (bottom - top) * down + 32768) >> 16);

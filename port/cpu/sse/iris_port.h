@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 41
+#define IRIS_PORT_OVERRIDES 45
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
