@@ -8,7 +8,7 @@ LITE_SRC := $(addprefix src/foundation/,$(addsuffix .c, \
     kernel kernel_camera kernel_color kernel_morph kernel_taps)) \
   $(addprefix src/xt/,$(addsuffix .c, \
     threshold otsu histogram_gray \
-    follow follow_full follow_floor follow_runs follow_choose follow_spans follow_bend follow_shape follow_lane \
+    follow follow_full follow_signature follow_floor follow_runs follow_choose follow_spans follow_bend follow_shape follow_lane \
     regress_rows steer \
     blob blob_mask blob_shape blob_table \
     lock lock_look lock_choose lock_teach signature signature_cells signature_table signature_teach signature_thin \

@@ -26,6 +26,7 @@
 #include "iris/status.h"
 #include "iris/xt/hough.h"
 #include "iris/xt/regress.h"
+#include "iris/xt/signature.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -87,7 +88,7 @@ typedef struct {
 } iris_follow_result;
 
 /* Working memory for frames of w x h pixels, kept by the follower for its whole life: 3.1 KB for 160x120. The second
- * size is for iris_follow_init_full: 3.6 KB. */
+ * size is for iris_follow_init_full: 3.6 KB; the third for iris_follow_init_signature: 4.0 KB. */
 #define IRIS_FOLLOW_BLOCKS(w) (((size_t)(w) + 7) / 8)
 #define IRIS_FOLLOW_SCRATCH_BYTES(w, h)                                                                      \
     IRIS_SCRATCH_ROUND(IRIS_FOLLOW_CHAINS * 36 + (size_t)(h)*IRIS_FOLLOW_RUNS * (sizeof(iris_span) + 1) +    \
@@ -95,6 +96,8 @@ typedef struct {
 #define IRIS_FOLLOW_FULL_SCRATCH_BYTES(w, h)                                                                 \
     (IRIS_FOLLOW_SCRATCH_BYTES(w, h) + IRIS_SCRATCH_ROUND(((size_t)(w) + 31) / 32 * 4) +                     \
      IRIS_SCRATCH_ROUND((size_t)(w)*3))
+#define IRIS_FOLLOW_SIGNATURE_SCRATCH_BYTES(w, h)                                                            \
+    (IRIS_FOLLOW_SCRATCH_BYTES(w, h) + IRIS_SCRATCH_ROUND(IRIS_SIGNATURE_CELLS / 9 * 2))
 
 /* A follower. The fields are its own; keep it anywhere, but do not copy it while a frame is being fed. */
 typedef struct iris_follow iris_follow;
@@ -121,6 +124,7 @@ struct iris_follow {
     uint32_t *mask;                   /* this row by color, one bit per column */
     uint8_t *row;                     /* this row as GRAY8 or RGB888 */
     uint8_t *votes;                   /* of the Hough transform */
+    uint16_t *levels;                 /* of Y that are selected, a bit each, per step of U and V */
     /* Finds a row's line pixels; returns the row as gray, or null when lines are told by color. */
     const uint8_t *(*mark)(iris_follow *follow, const void *pixels);
     /* Fits a line to the centers of the rows y0 to y1 (twice_x as for iris_regress_rows). */
@@ -150,6 +154,16 @@ iris_status iris_follow_init(iris_follow *follow, iris_size size, const iris_fol
 iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iris_follow_config *config,
                                   iris_scratch *scratch);
 
+/* The same for lines that have a color signature, in rows of IRIS_YUYV or IRIS_UYVY, which are looked up as they are
+ * (IRIS_FOLLOW_SIGNATURE_SCRATCH_BYTES; about 14 instructions per pixel on a Cortex-M4, all in all). config says
+ * IRIS_FOLLOW_COLOR and the format, and its range of colors is not asked. selected: bit k selects signature k; the
+ * signatures are taken as they are now, and the table is not kept.
+ * The same errors as iris_follow_init, and IRIS_ERR_ARG: config is null, or selected outside 1..255; IRIS_ERR_RANGE:
+ * the width is odd. O(w + cells). */
+iris_status iris_follow_init_signature(iris_follow *follow, iris_size size, const iris_follow_config *config,
+                                       const iris_signatures *signatures, uint32_t selected,
+                                       iris_scratch *scratch);
+
 /* From now on straight pieces are fitted by a Hough transform (hough.h) instead of the trimmed regression: of the row
  * centers, within 22 degrees and 16 steps of rho around the untrimmed regression line. It stands more strangers among
  * the rows and costs more; angles come in steps of a fraction of a degree. Takes IRIS_FOLLOW_HOUGH_BYTES of working
@@ -161,7 +175,7 @@ iris_status iris_follow_use_hough(iris_follow *follow, iris_scratch *scratch);
 
 /* A whole frame: begin, every row, end. frame must have the size and format given at init.
  * IRIS_ERR_ARG: null pointer or invalid image; IRIS_ERR_RANGE: another size; IRIS_ERR_FORMAT: another format.
- * O(w h) plus O(h) per segment; about 10 instructions per pixel on a Cortex-M4. */
+ * O(w h) plus O(h) per segment; about 8 instructions per pixel on a Cortex-M4. */
 iris_status iris_follow_frame(iris_follow_result *result, iris_follow *follow, const iris_image *frame,
                               uint32_t now_ms);
 
