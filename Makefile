@@ -53,7 +53,7 @@ comma    := ,
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-larger-than=1024) -Werror -std=c99 -pedantic
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE -D_FILE_OFFSET_BITS=64
-INTEGER  := -mgeneral-regs-only
+INTEGER  := $(if $(filter s390x%,$(TARGET)),-msoft-float,-mgeneral-regs-only)
 PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3)$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
 # The plain bodies of row kernels, too, are made with all that a port with vectors may use: what the compiler does well
 # needs no code of ours. PORT=generic holds the same sources to integer registers.
@@ -74,12 +74,15 @@ FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) 
 KEY   := $(shell printf '%s' "$(FLAGS)" | cksum | cut -d' ' -f1)
 OUT   := $(BUILD)/$(PORT)-$(OS)-$(PROFILE)-$(TARGET)-$(KEY)
 HOST  := $(if $(CROSS_COMPILE),,yes)
+# What the tool needs of a system to run on; without one there is no tool.
+HOSTED := $(if $(findstring none-eabi,$(TARGET)),,$(if $(findstring mingw,$(TARGET)),windows,posix))
+EXE    := $(if $(filter windows,$(HOSTED)),.exe)
 
 include src/lite.mk
 CORE_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_SRC),$(wildcard src/foundation/*.c src/xt/*.c))
 PORT_SRC := $(wildcard $(PORTS_USED:%=port/cpu/%/*.c))
 OS_SRC   := $(wildcard port/os/$(OS)/*.c)
-TOOL_SRC := $(if $(filter lite,$(PROFILE)),,$(wildcard tools/iris/*.c))
+TOOL_SRC := $(if $(and $(HOSTED),$(filter full,$(PROFILE))),$(wildcard tools/iris/*.c tools/iris/$(OS)/*.c tools/iris/$(HOSTED)/*.c))
 
 CORE_OBJ := $(CORE_SRC:%.c=$(OUT)/%.o)
 PORT_OBJ := $(PORT_SRC:%.c=$(OUT)/%.o)
@@ -88,7 +91,7 @@ TOOL_OBJ := $(TOOL_SRC:%.c=$(OUT)/%.o)
 
 LIB    := $(OUT)/libiris.a
 OSLIB  := $(if $(OS_SRC),$(OUT)/libiris-$(OS).a)
-TOOL   := $(if $(and $(OSLIB),$(TOOL_SRC)),$(OUT)/iris)
+TOOL   := $(if $(TOOL_SRC),$(OUT)/iris$(EXE))
 
 .PHONY: all help lib examples install uninstall clean
 .DELETE_ON_ERROR:
@@ -120,7 +123,7 @@ $(OUT)/libiris-$(OS).a: $(OS_OBJ) $(OUT)/members
 	$(SAY)
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
-$(OUT)/iris: $(TOOL_OBJ) $(OSLIB) $(LIB)
+$(OUT)/iris$(EXE): $(TOOL_OBJ) $(OSLIB) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) -lm
 
@@ -148,9 +151,9 @@ $(OUT)/tools/%.o: tools/%.c
 	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -c -o $@ $<
 
 # Examples: one program per file.
-EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%,$(if $(filter lite,$(PROFILE)),$(LITE_EXAMPLES),$(wildcard examples/*.c)))
+EXAMPLES := $(patsubst examples/%.c,$(OUT)/examples/%$(EXE),$(if $(filter lite,$(PROFILE)),$(LITE_EXAMPLES),$(wildcard examples/*.c)))
 examples: $(EXAMPLES) ## builds every program under examples/
-$(OUT)/examples/%: examples/%.c $(OSLIB) $(LIB)
+$(OUT)/examples/%$(EXE): examples/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
 	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)

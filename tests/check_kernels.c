@@ -1,9 +1,8 @@
 /* Row kernels: this port's bodies give the bits of the plain ones and stay inside their rows. The kernels themselves are in
  * tests/kernels. */
 #include <stdio.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
+#include "guarded/guarded.h"
 #include "kernels/kernels.h"
 
 #define KERNEL_FAMILY(family) &kernels_##family,
@@ -61,16 +60,13 @@ static size_t guarded_bytes;
 static int guard_rows(void **state)
 {
     (void)state;
-    size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    size_t page = guarded_page_bytes();
     guarded_bytes = (KERNEL_ROOM + page - 1) / page * page;
     for (int k = 0; k < KERNEL_ROWS; k++) {
-        uint8_t *map =
-            mmap(NULL, guarded_bytes + 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (map == MAP_FAILED || mprotect(map, page, PROT_NONE) != 0 ||
-            mprotect(map + page + guarded_bytes, page, PROT_NONE) != 0) {
+        guarded[k] = guarded_memory(guarded_bytes);
+        if (!guarded[k]) {
             return -1;
         }
-        guarded[k] = map + page;
     }
     return 0;
 }

@@ -1,7 +1,7 @@
 # The tests. Every program and script here prints TAP; tests/tally counts the lines and prints the last one.
 #
 #   tests/*.c tests/xt/*.c tests/linux/*.c   CMocka, one program each
-#   tests/kernels/*.c                        what tests/check_kernels.c knows of each row kernel
+#   tests/kernels/*.c, tests/guarded/*.c     what tests/check_kernels.c knows of each row kernel
 #   tests/calls/*.c                          what tests/random_calls.c knows of each operation
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each
@@ -17,13 +17,13 @@ export RUNNER CROSS_COMPILE OUT
 
 # tests/linux needs a kernel's own terminals: emulators of user programs do not know all of their calls.
 UNIT_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_TESTS),$(wildcard tests/*.c tests/xt/*.c $(if $(RUNNER),,tests/$(OS)/*.c)))
-UNIT_BIN := $(UNIT_SRC:tests/%.c=$(OUT)/tests/%)
+UNIT_BIN := $(UNIT_SRC:tests/%.c=$(OUT)/tests/%$(EXE))
 KERNELINC := -Isrc/foundation -Iport/cpu/$(PORT)
-TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels,$@),$(KERNELINC))
+TESTINC   = -Iinclude -Itests $(if $(filter %/check_kernels$(EXE),$@),$(KERNELINC))
 CMOCKAINC := $(if $(SYSROOT),-isystem $(SYSROOT)/usr/include)
 CMOCKA   := $(CMOCKAINC) $(if $(SYSROOT),-L$(SYSROOT)/usr/lib/$(CROSS_COMPILE:%-=%)) -lcmocka
 
-$(OUT)/tests/%: tests/%.c $(OSLIB) $(LIB)
+$(OUT)/tests/%$(EXE): tests/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
 	$(Q)$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS) $(CMOCKA) -lm
@@ -35,11 +35,12 @@ $(OUT)/tests/%.o: tests/%.c
 
 CALLS_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/calls/*.c))
 $(CALLS_OBJ): TARGETINC := -Itests $(CMOCKAINC)
-$(OUT)/tests/random_calls: $(CALLS_OBJ)
+$(OUT)/tests/random_calls$(EXE): $(CALLS_OBJ)
 
 KERNEL_OBJ := $(patsubst %.c,$(OUT)/%.o,$(filter-out %/gain.c,$(wildcard tests/kernels/*.c)))
 $(KERNEL_OBJ) $(OUT)/tests/kernels/gain.o: TARGETINC := -Itests $(KERNELINC) $(CMOCKAINC)
-$(OUT)/tests/check_kernels: $(KERNEL_OBJ)
+$(OUT)/tests/check_kernels$(EXE): $(KERNEL_OBJ) $(OUT)/tests/guarded/$(HOSTED).o
+$(OUT)/tests/guarded/%.o: TARGETINC := $(POSIX)
 $(OUT)/tests/kernels/gain.o: TARGETINC += -Itools/bench $(POSIX)
 
 # What the port's kernels are worth beside the plain bodies as the compiler makes them.
@@ -49,8 +50,8 @@ $(OUT)/kernel_gain: $(OUT)/tests/kernels/gain.o $(KERNEL_OBJ) $(LIB)
 
 DIGEST_OBJ  := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/digest/*.c))
 DIGEST_HOST := $(OUT)/tests/digest/host.o
-DIGEST      := $(if $(DIGEST_OBJ),$(OUT)/digest)
-$(OUT)/digest: $(DIGEST_OBJ) $(LIB)
+DIGEST      := $(if $(DIGEST_OBJ),$(OUT)/digest$(EXE))
+$(OUT)/digest$(EXE): $(DIGEST_OBJ) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
 
