@@ -309,11 +309,12 @@ static void range_of_a_view_is_that_of_its_rows(void **state)
     (void)state;
     enum { W = 150, H = 5 };
     static uint8_t rgb[H][3 * W], bgr[H][3 * W];
-    static uint16_t rgb565[H][W];
+    static uint8_t rgb565[H][2 * W];
     uint32_t of_rgb[H][5], of_bgr[H][5], row[5];
     for (int i = 0; i < H * W; i++) { /* colors that RGB565 holds exactly */
         uint32_t r = (uint32_t)i * 7 % 32, g = (uint32_t)i * 11 % 64, b = (uint32_t)i * 5 / 3 % 32;
-        rgb565[i / W][i % W] = (uint16_t)(r << 11 | g << 5 | b);
+        rgb565[i / W][i % W * 2] = (uint8_t)(g << 5 | b); /* the low byte comes first */
+        rgb565[i / W][i % W * 2 + 1] = (uint8_t)(r << 3 | g >> 3);
         uint8_t *pixel = &rgb[i / W][i % W * 3], *mirror = &bgr[i / W][i % W * 3];
         mirror[2] = pixel[0] = (uint8_t)(r << 3 | r >> 2);
         mirror[1] = pixel[1] = (uint8_t)(g << 2 | g >> 4);

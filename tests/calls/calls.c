@@ -334,10 +334,13 @@ static void register_view(const iris_image *image, int is_output)
         let_read(start, row);
         if (is_output) {
             uint8_t *bits = world.may_change.bytes + (start - world.now.bytes);
-            size_t whole = image->format == IRIS_MASK1 ? (size_t)image->w / 8 : row;
+            size_t whole = image->format == IRIS_MASK1 ? (size_t)image->w / 32 * 4 : row;
             memset(bits, 0xff, whole);
             if (whole < row) {
-                bits[whole] |= (uint8_t)((1u << image->w % 8) - 1);
+                uint32_t word;
+                memcpy(&word, bits + whole, sizeof word);
+                word |= ((uint32_t)1 << image->w % 32) - 1;
+                memcpy(bits + whole, &word, sizeof word);
             }
         }
     }

@@ -41,8 +41,11 @@ iris_image digest_picture(iris_format format, int32_t w, int32_t h);
 uint32_t digest_random(void);
 int32_t digest_between(int32_t low, int32_t high);
 
-/* What counts: outputs. Pixels of a view without padding between rows; numbers as 8 bytes, little-endian. */
+/* What counts: outputs. Pixels of a view without padding between rows; numbers as 8 bytes. Every value counts with its
+ * lowest byte first, wherever the processor keeps that: digest_values takes `bytes` bytes of values of `size` bytes each
+ * (1, 2, 4, or 8). */
 void digest_bytes(const void *data, size_t bytes);
+void digest_values(const void *data, size_t bytes, size_t size);
 void digest_view(const iris_image *view);
 void digest_number(int64_t number);
 

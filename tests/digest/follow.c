@@ -18,7 +18,7 @@ static void digest_result(const iris_follow_result *result)
     digest_number(result->confidence_permil);
     digest_number(result->segment_count);
     for (int32_t i = 0; i < result->segment_count; i++) {
-        digest_bytes(&result->segments[i], sizeof result->segments[i]);
+        digest_values(&result->segments[i], sizeof result->segments[i], 4);
     }
     for (int32_t y = 0; result->rows && y < H; y++) {
         digest_number(result->rows[y].left);

@@ -19,7 +19,7 @@ static void digest_peaks(const iris_hough *hough)
         digest_number(lines[i].rho_q16);
         digest_number(lines[i].votes);
         digest_number(iris_hough_clip(&ends, &lines[i], (iris_size){W, H}));
-        digest_bytes(&ends, sizeof ends);
+        digest_values(&ends, sizeof ends, 4);
     }
 }
 
@@ -35,7 +35,8 @@ static void transform(const iris_hough_config *config, int32_t rho_bins)
     for (int32_t y = 0; y < H; y++) {
         digest_number(iris_hough_vote_row(&hough, iris_image_row(&mask, y), y));
     }
-    digest_bytes(hough.votes, (size_t)hough.rho_bins * (size_t)config->theta_bins * sizeof hough.votes[0]);
+    digest_values(hough.votes, (size_t)hough.rho_bins * (size_t)config->theta_bins * sizeof hough.votes[0],
+                  sizeof hough.votes[0]);
     digest_peaks(&hough);
 }
 
@@ -82,7 +83,7 @@ static void directed(void)
         point.angle = (iris_angle)(i % 3 ? digest_between(-32768, 32767) : 21000);
         digest_number(iris_hough_vote_edges(&hough, &point, 1));
     }
-    digest_bytes(hough.votes, (size_t)hough.rho_bins * 60u * sizeof hough.votes[0]);
+    digest_values(hough.votes, (size_t)hough.rho_bins * 60u * sizeof hough.votes[0], sizeof hough.votes[0]);
     digest_peaks(&hough);
 }
 
@@ -101,7 +102,7 @@ static void digest_segment(const iris_hough_segment *segment)
     digest_number(segment->line.angle);
     digest_number(segment->line.rho_q16);
     digest_number(segment->points);
-    digest_bytes(&segment->ends, sizeof segment->ends);
+    digest_values(&segment->ends, sizeof segment->ends, 4);
 }
 
 static void segments(void)

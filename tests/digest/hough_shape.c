@@ -34,7 +34,7 @@ static const uint8_t *taught(size_t *bytes)
     *bytes = 0;
     digest_number(iris_hough_shape_silhouette(points, POINTS, &count, &mask));
     digest_number(count);
-    digest_bytes(points, (size_t)count * sizeof *points);
+    digest_values(points, (size_t)count * sizeof *points, sizeof points->x);
     digest_number(
         iris_hough_shape_teach(table, IRIS_HOUGH_SHAPE_TABLE_BYTES(ENTRIES), bytes, points, count, &by));
     return table;

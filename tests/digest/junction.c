@@ -17,7 +17,9 @@ static void digest_junctions(const iris_image *mask)
     digest_number(iris_junctions_find(found, IRIS_JUNCTIONS_MAX, &count, mask, NULL, &scratch));
     digest_number(count);
     for (int32_t i = 0; i < count; i++) {
-        digest_bytes(&found[i], sizeof found[i]);
+        digest_values(&found[i], offsetof(iris_junction, branches), 4);
+        digest_values(found[i].branches, sizeof found[i].branches, sizeof found[i].branches[0]);
+        digest_values(&found[i].confidence_permil, 4, 4);
     }
 }
 
@@ -83,9 +85,17 @@ static void latch(void)
             digest_number(line.next_angle);
             digest_number(line.offset_q16);
             digest_number(line.lookahead_offset_q16);
-            digest_bytes(line.segments, sizeof line.segments);
+            digest_values(line.segments, sizeof line.segments, 4);
             digest_number((int32_t)latch.state);
         }
+    }
+}
+
+static void digest_paths(const iris_path *found, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        digest_values(&found[i], offsetof(iris_path, angle), 4);
+        digest_values(&found[i].angle, sizeof found[i] - offsetof(iris_path, angle), 2);
     }
 }
 
@@ -99,7 +109,7 @@ static void paths(void)
     (void)iris_threshold(&mask, &gray, 140, IRIS_SELECT_BRIGHT);
     digest_number(iris_paths_find(found, 4, &count, &mask, &config, &scratch));
     digest_number(count);
-    digest_bytes(found, (size_t)(count < 4 ? count : 4) * sizeof found[0]);
+    digest_paths(found, count < 4 ? count : 4);
 }
 
 /* A floor, two upright lines on it, and a square. */
@@ -120,7 +130,7 @@ static void paths_by_blocks(void)
     iris_region_table table = {regions, 4, labels, 4};
     digest_number(iris_paths_of_regions(found, 4, &count, &tree, &table, NULL));
     digest_number(count);
-    digest_bytes(found, (size_t)count * sizeof found[0]);
+    digest_paths(found, count);
 }
 
 const digest_operation digest_junction[] = {

@@ -36,7 +36,7 @@ static void frames(void)
         digest_number(seen.state);
         digest_number(seen.id);
         digest_number(seen.age);
-        digest_bytes(&seen.box, sizeof seen.box);
+        digest_values(&seen.box, sizeof seen.box, 4);
         digest_number(seen.x_q16);
         digest_number(seen.y_q16);
         digest_number(seen.area);

@@ -45,6 +45,29 @@ int32_t digest_between(int32_t low, int32_t high)
     return low + (int32_t)(digest_random() % (uint32_t)(high - low + 1));
 }
 
+/* Of what one value of a row is made. RGB565 is two bytes in a fixed order. */
+static size_t value_bytes(iris_format format)
+{
+    switch (format) {
+    case IRIS_GRAY_S16:
+    case IRIS_GRAY_U16:
+    case IRIS_HSL48:
+        return 2;
+    case IRIS_GRAY_U32:
+    case IRIS_MASK1:
+        return 4;
+    default:
+        return 1;
+    }
+}
+
+/* Where the lowest byte of a value comes first there is nothing to do. */
+static int lowest_first(void)
+{
+    const uint16_t one = 1;
+    return *(const uint8_t *)&one == 1;
+}
+
 iris_image digest_canvas(iris_format format, int32_t w, int32_t h)
 {
     iris_image image = {0};
@@ -71,6 +94,18 @@ static uint8_t level(int32_t i, int32_t n, int32_t y)
     return (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
 }
 
+/* Values of `size` bytes, lowest byte first, become the processor's own. */
+static void own_order(uint8_t *row, size_t bytes, size_t size)
+{
+    for (size_t i = 0; i < bytes && !lowest_first(); i += size) {
+        for (size_t k = 0; k < size / 2; k++) {
+            uint8_t byte = row[i + k];
+            row[i + k] = row[i + size - 1 - k];
+            row[i + size - 1 - k] = byte;
+        }
+    }
+}
+
 iris_image digest_picture(iris_format format, int32_t w, int32_t h)
 {
     iris_image image = digest_canvas(format, w, h);
@@ -80,6 +115,7 @@ iris_image digest_picture(iris_format format, int32_t w, int32_t h)
         for (int32_t i = 0; i < bytes; i++) {
             row[i] = level(i, bytes, y);
         }
+        own_order(row, (size_t)bytes, value_bytes(format));
     }
     return image;
 }
@@ -92,10 +128,20 @@ void digest_bytes(const void *data, size_t bytes)
     }
 }
 
+void digest_values(const void *data, size_t bytes, size_t size)
+{
+    const uint8_t *byte = data;
+    const size_t turned = lowest_first() ? 0 : size - 1;
+    for (size_t i = 0; i < bytes; i++) {
+        digest_bytes(&byte[i ^ turned], 1);
+    }
+}
+
 void digest_view(const iris_image *view)
 {
     for (int32_t y = 0; y < view->h; y++) {
-        digest_bytes(iris_image_row(view, y), iris_format_row_bytes(view->format, view->w));
+        digest_values(iris_image_row(view, y), iris_format_row_bytes(view->format, view->w),
+                      value_bytes(view->format));
     }
 }
 

@@ -29,11 +29,11 @@ static void contours(void)
     for (int32_t i = 0; i < 12 && i < count; i++) {
         const iris_contour *c = &found[i];
         const int32_t fields[] = {c->x, c->y, c->is_hole, c->parent, c->area, c->points, c->diagonals};
-        digest_bytes(fields, sizeof fields);
-        digest_bytes(&c->box, sizeof c->box);
+        digest_values(fields, sizeof fields, 4);
+        digest_values(&c->box, sizeof c->box, 4);
         int32_t length = 0;
         digest_number(iris_contour_points(points, 40, &length, c, &mask));
-        digest_bytes(points, (size_t)(length < 40 ? length : 40) * sizeof points[0]);
+        digest_values(points, (size_t)(length < 40 ? length : 40) * sizeof points[0], sizeof points[0].x);
     }
 }
 
@@ -44,10 +44,10 @@ static void moments(void)
     iris_invariants v = {0};
     digest_number(iris_mask_moments_sum(&sums, &mask));
     digest_number(iris_moments_invariants(&v, &sums));
-    digest_bytes(&sums, sizeof sums);
+    digest_values(&sums, sizeof sums, sizeof sums.m00);
     digest_number(v.x_q16);
     digest_number(v.y_q16);
-    digest_bytes(v.hu_q40, sizeof v.hu_q40);
+    digest_values(v.hu_q40, sizeof v.hu_q40, sizeof v.hu_q40[0]);
 }
 
 static void signature(void)
@@ -58,8 +58,8 @@ static void signature(void)
     iris_shape_rays from = {0, 0, 0, 0};
     iris_shape_correlation best = {0, 0, 0, 0, 0};
     digest_number(iris_shape_sample(rays, &from, &mask, &config));
-    digest_bytes(rays, 90 * sizeof *rays);
-    digest_bytes(&from, sizeof from);
+    digest_values(rays, 90 * sizeof *rays, sizeof *rays);
+    digest_values(&from, sizeof from, 4);
     digest_number(
         iris_shape_sample(other, NULL, &mask, &(iris_shape_sampling){90, IRIS_SHAPE_FIRST, 0, 0, 0}));
     digest_number(iris_shape_correlate(&best, rays, other, 90, NULL));
@@ -96,10 +96,10 @@ static void shapes(void)
     digest_number(iris_contour_find(outlines, 2, &count, &mask, &scratch));
     for (int i = 0; i < 2 && i < count; i++) {
         digest_number(iris_shape_describe(&two[i], &outlines[i], &mask, &scratch));
-        digest_bytes(two[i].x, sizeof two[i].x);
-        digest_bytes(two[i].y, sizeof two[i].y);
-        digest_bytes(two[i].rays, sizeof two[i].rays);
-        digest_bytes(two[i].moments_q20, sizeof two[i].moments_q20);
+        digest_values(two[i].x, sizeof two[i].x, 2);
+        digest_values(two[i].y, sizeof two[i].y, 2);
+        digest_values(two[i].rays, sizeof two[i].rays, 2);
+        digest_values(two[i].moments_q20, sizeof two[i].moments_q20, 4);
     }
 }
 
