@@ -173,13 +173,13 @@ install: all ## installs headers, libraries, pkg-config file, tool and man page 
 	    'Description: machine vision in integers for small robots' 'Version: $(VERSION)' \
 	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris' \
 	    > "$(INSTALL)/lib/pkgconfig/iris.pc"
-	$(if $(TOOL),@install -D -m 755 $(TOOL) "$(INSTALL)/bin/iris")
+	$(if $(TOOL),@install -D -m 755 $(TOOL) "$(INSTALL)/bin/iris$(EXE)")
 	$(if $(TOOL),@install -D -m 644 tools/iris/iris.1 "$(INSTALL)/share/man/man1/iris.1")
 
 uninstall: ## removes what install put there
 	rm -rf "$(INSTALL)/include/iris"
 	rm -f "$(INSTALL)/lib/libiris.a" "$(INSTALL)/lib/libiris-$(OS).a" "$(INSTALL)/lib/pkgconfig/iris.pc"
-	rm -f "$(INSTALL)/bin/iris" "$(INSTALL)/share/man/man1/iris.1"
+	rm -f "$(INSTALL)/bin/iris$(EXE)" "$(INSTALL)/share/man/man1/iris.1"
 
 clean: ## removes the build folder
 	rm -rf $(BUILD)

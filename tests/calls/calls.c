@@ -43,7 +43,7 @@ static struct __attribute__((aligned(IRIS_SCRATCH_ALIGN))) {
     uint32_t number;
     const char *name;
     int accepted;
-} world;
+} world __attribute__((aligned(IRIS_SCRATCH_ALIGN)));
 
 /* ---- numbers ---- */
 

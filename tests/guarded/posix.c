@@ -11,8 +11,7 @@ size_t guarded_page_bytes(void)
 uint8_t *guarded_memory(size_t bytes)
 {
     size_t page = guarded_page_bytes();
-    uint8_t *map =
-        mmap(NULL, bytes + 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    uint8_t *map = mmap(NULL, bytes + 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (map == MAP_FAILED || mprotect(map, page, PROT_NONE) != 0 ||
         mprotect(map + page + bytes, page, PROT_NONE) != 0) {
         return NULL;

@@ -8,18 +8,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file_name.h"
 #include "frame_reader.h"
 #include "inputs.h"
 #include "iris/xt/threshold.h"
 #include "picture_write.h"
 #include "progress.h"
+#include "system.h"
 
 /* Where the picture of an input goes in the folder `folder`: under its own name, with the extension that fits.
  * Returns 0 when the path would be too long. */
 static int path_in_folder(char path[PATH_MAX], const char *folder, const char *input, iris_format format)
 {
-    const char *slash = strrchr(input, '/');
-    const char *name = strcmp(input, "-") == 0 ? "stdin" : slash ? slash + 1 : input;
+    const char *name = strcmp(input, "-") == 0 ? "stdin" : file_name(input);
     const char *dot = strrchr(name, '.');
     int length = dot && dot != name ? (int)(dot - name) : (int)strlen(name);
     picture_container container = picture_container_of(name);
@@ -210,7 +211,7 @@ static int check_output(operation_chain *chain, const input_list *inputs, int *f
         return EXIT_DONE;
     }
     if (!chain->output || strcmp(chain->output, "-") == 0) {
-        if (isatty(STDOUT_FILENO)) {
+        if (system_is_terminal(STDOUT_FILENO)) {
             complain(NULL, "no output: -o FILE, or a pipe behind standard output");
             return EXIT_BAD_CALL;
         }

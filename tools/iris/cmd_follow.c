@@ -16,6 +16,7 @@
 #include "iris/xt/steer.h"
 #include "overlay_folder.h"
 #include "progress.h"
+#include "system.h"
 
 static const char help[] =
     "usage: iris follow [options] IN...\n\n"
@@ -162,7 +163,7 @@ static int follow_all(sequence *s, const input_list *inputs)
 {
     int exit_code = EXIT_DONE;
     for (int i = 0; i < inputs->count && exit_code != EXIT_BAD_CALL && !ferror(stdout); i++) {
-        if (!isatty(STDOUT_FILENO)) {
+        if (!system_is_terminal(STDOUT_FILENO)) {
             progress_show("follow", i + 1, inputs->count, inputs->paths[i]);
         }
         int code = follow_input(s, inputs->paths[i]);

@@ -13,6 +13,7 @@
 #include "lock_report.h"
 #include "overlay_folder.h"
 #include "progress.h"
+#include "system.h"
 
 static const char help[] =
     "usage: iris lock --teach x,y,w,h [options] FIRST IN...\n"
@@ -155,7 +156,7 @@ static int run(const lock_options *options, const iris_hsl_range *range, const i
         (void)iris_signature_from_range(&s.signatures, 0, range);
     }
     for (int i = 0; i < inputs->count && (i == 0 || !cannot_go_on(&s, exit_code)); i++) {
-        if (!isatty(STDOUT_FILENO)) {
+        if (!system_is_terminal(STDOUT_FILENO)) {
             progress_show("lock", i + 1, inputs->count, inputs->paths[i]);
         }
         int code = follow_input(&s, inputs->paths[i]);

@@ -2,15 +2,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "canvas.h"
 #include "commands.h"
+#include "file_name.h"
 #include "frame_reader.h"
 #include "inputs.h"
 #include "iris/xt/shape.h"
 #include "iris/xt/threshold.h"
 #include "operation.h"
+#include "system.h"
 
 static const char help[] =
     "usage: iris match --models DIR [--method height|radial|moments] [--least SCORE] [--no-mirror]\n"
@@ -75,8 +76,7 @@ static int describe(iris_shape *shape, iris_contour *outline, iris_status *statu
 /* The class of a file: its name up to the first dash, or without its ending. */
 static void class_of(char name[CLASS_MAX], const char *path)
 {
-    const char *base = strrchr(path, '/');
-    base = base ? base + 1 : path;
+    const char *base = file_name(path);
     size_t length = strcspn(base, "-");
     if (base[length] == 0) {
         const char *dot = strrchr(base, '.');
@@ -93,18 +93,15 @@ static int make_model(iris_shape *shape, const char *file, const iris_image *gra
     iris_scratch scratch;
     iris_contour outline;
     size_t bytes = IRIS_SHAPE_DESCRIBE_SCRATCH_BYTES(gray->w, gray->h);
-    void *memory = NULL;
-    int failed = posix_memalign(&memory, IRIS_SCRATCH_ALIGN, bytes);
-    iris_status status = !failed ? picture_reserve(&mask, size, IRIS_MASK1) : IRIS_ERR_SCRATCH;
+    void *memory = system_scratch(bytes);
+    iris_status status = memory ? picture_reserve(&mask, size, IRIS_MASK1) : IRIS_ERR_SCRATCH;
     int made = -1;
     if (status == IRIS_OK) {
         iris_threshold(&mask.image, gray, 127, IRIS_SELECT_BRIGHT);
         iris_scratch_init(&scratch, memory, bytes);
         made = describe(shape, &outline, &status, &mask.image, &scratch);
     }
-    if (!failed) {
-        free(memory);
-    }
+    free(memory);
     picture_free(&mask);
     if (made < 1) {
         complain(file, "%s", made == 0 ? "nothing is white: no model" : iris_status_text(status));
@@ -154,13 +151,8 @@ static int read_models(const char *folder)
 /* The model that is this very file; -1: none. */
 static int32_t model_of_file(const char *file)
 {
-    struct stat of, other;
-    if (strcmp(file, "-") == 0 || stat(file, &of) != 0) {
-        return -1;
-    }
-    for (int32_t i = 0; i < known.library.count; i++) {
-        if (stat(known.files.paths[known.file_of[i]], &other) == 0 && of.st_dev == other.st_dev &&
-            of.st_ino == other.st_ino) {
+    for (int32_t i = 0; strcmp(file, "-") != 0 && i < known.library.count; i++) {
+        if (system_is_same_file(file, known.files.paths[known.file_of[i]])) {
             return i;
         }
     }

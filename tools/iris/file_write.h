@@ -4,9 +4,14 @@
 
 #include <stdio.h>
 
-/* Calls write(file, user), which returns 1 when every byte has arrived, 0 when not: errno tells why. path: "-" is standard
- * output; devices and pipes are written in place. Complains; returns 1 when done, 0 when not: no new file is left
- * then, and one that was there is as it was. */
-int file_write(const char *path, int (*write)(FILE *file, const void *user), const void *user);
+/* Returns 1 when every byte has arrived, 0 when not: errno tells why. */
+typedef int (*file_writer)(FILE *file, const void *user);
+
+/* Calls write(file, user). path: "-" is standard output; devices and pipes are written in place. Complains; returns 1
+ * when done, 0 when not: no new file is left then, and one that was there is as it was. */
+int file_write(const char *path, file_writer write, const void *user);
+
+/* What went wrong with a file, by errno. */
+const char *file_write_problem(void);
 
 #endif

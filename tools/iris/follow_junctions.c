@@ -9,6 +9,7 @@
 #include "iris/color.h"
 #include "iris/xt/line_mask.h"
 #include "picture.h"
+#include "system.h"
 
 static const iris_color MARK = {255, 140, 0};
 
@@ -55,8 +56,8 @@ static int reserve(const iris_image *frame)
     bytes = bytes > for_mask ? bytes : for_mask;
     if (bytes > memory_bytes) {
         free(memory);
-        memory_bytes = posix_memalign(&memory, IRIS_SCRATCH_ALIGN, bytes) == 0 ? bytes : 0;
-        memory = memory_bytes > 0 ? memory : NULL;
+        memory = system_scratch(bytes);
+        memory_bytes = memory ? bytes : 0;
     }
     return memory && picture_reserve(&gray, size, IRIS_GRAY8) == IRIS_OK &&
            picture_reserve(&mask, size, IRIS_MASK1) == IRIS_OK;

@@ -1,10 +1,11 @@
 #include "frame_reader.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "system.h"
 
 static ptrdiff_t read_bytes(void *user, uint8_t *bytes, size_t wanted)
 {
@@ -77,7 +78,7 @@ static iris_status finish(frame_reader *reader, iris_status status)
 iris_status frame_reader_open(frame_reader *reader, const char *path)
 {
     int is_stdin = strcmp(path, "-") == 0;
-    reader->fd = is_stdin ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    reader->fd = is_stdin ? STDIN_FILENO : system_open(path);
     reader->close_fd = !is_stdin && reader->fd >= 0;
     reader->error = errno;
     reader->first = reader->count = 0;

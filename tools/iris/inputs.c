@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "complain.h"
+#include "system.h"
 
 /* Takes over `path`; 0 when there is no memory. */
 static int append(input_list *inputs, char *path)
@@ -28,7 +29,8 @@ static char *joined(const char *folder, const char *name)
     size_t bytes = strlen(folder) + strlen(name) + 2;
     char *path = malloc(bytes);
     if (path) {
-        snprintf(path, bytes, "%s%s%s", folder, folder[strlen(folder) - 1] == '/' ? "" : "/", name);
+        snprintf(path, bytes, "%s%s%s", folder, system_is_separator(folder[strlen(folder) - 1]) ? "" : "/",
+                 name);
     }
     return path;
 }

@@ -1,14 +1,12 @@
 /* The command line tool: finds the command and runs it. */
 #include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "chain.h"
 #include "commands.h"
 #include "iris/version.h"
+#include "system.h"
 
 /* What is not an operation on pictures. */
 typedef struct {
@@ -105,24 +103,11 @@ static int run(int argc, char **argv)
     return exit_code;
 }
 
-/* A stream that the caller closed is held by something that fails: else the next file opened would get its number, and
- * the robot's port our answers. Returns 0 when that is impossible. */
-static int hold_closed_streams(void)
-{
-    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
-        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 int main(int argc, char **argv)
 {
-    if (!hold_closed_streams()) {
+    if (!system_begin()) {
         return EXIT_BAD_DATA;
     }
-    (void)signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error of writing */
     int exit_code = run(argc, argv);
     errno = 0;
     if (exit_code != EXIT_BAD_CALL && (fflush(stdout) != 0 || ferror(stdout))) {

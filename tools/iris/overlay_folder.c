@@ -9,13 +9,14 @@
 #include <sys/stat.h>
 
 #include "complain.h"
+#include "file_name.h"
 #include "picture_write.h"
+#include "system.h"
 
 /* Returns 0 when the path would be too long. */
 static int path_of(char path[PATH_MAX], const char *folder, const char *file, int64_t frame)
 {
-    const char *slash = strrchr(file, '/');
-    const char *name = slash ? slash + 1 : file;
+    const char *name = file_name(file);
     const char *dot = strrchr(name, '.');
     int length = dot && dot != name ? (int)(dot - name) : (int)strlen(name);
     int written = strcmp(file, "-") == 0
@@ -34,13 +35,14 @@ static int make_folder(const char *folder)
         return 0;
     }
     for (char *at = path + 1; *folder != '\0' && *at != '\0'; at++) {
-        if (*at == '/') {
+        if (system_is_separator(*at)) {
+            char separator = *at;
             *at = '\0';
-            (void)mkdir(path, 0777); /* what went wrong shows at the end */
-            *at = '/';
+            (void)system_make_folder(path); /* what went wrong shows at the end */
+            *at = separator;
         }
     }
-    if (mkdir(path, 0777) != 0 && errno != EEXIST) {
+    if (system_make_folder(path) != 0 && errno != EEXIST) {
         return 0;
     }
     errno = ENOTDIR;
@@ -55,9 +57,7 @@ static int by_text(const void *a, const void *b)
 /* Is `path` there, and the same file as `input`? */
 static int is_input(const char *path, const char *input)
 {
-    struct stat a, b;
-    return strcmp(input, "-") != 0 && stat(path, &a) == 0 && stat(input, &b) == 0 && a.st_dev == b.st_dev &&
-           a.st_ino == b.st_ino;
+    return strcmp(input, "-") != 0 && system_is_same_file(path, input);
 }
 
 /* Fills paths with where each input's picture goes. Returns an exit code after complaining. */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "file_name.h"
 #include "file_write.h"
 #include "iris/bmp.h"
 #include "iris/color.h"
@@ -12,8 +13,7 @@
 
 picture_container picture_container_of(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    const char *name = slash ? slash + 1 : path;
+    const char *name = file_name(path);
     const char *dot = strrchr(name, '.');
     if (!dot || dot == name || strcasecmp(dot, ".bmp") == 0) {
         return CONTAINER_BMP;

@@ -6,6 +6,7 @@
 #include "iris/copy.h"
 #include "iris/xt/threshold.h"
 #include "operation.h"
+#include "system.h"
 
 /* picture_reserve that complains. */
 static int reserve(const operation_stage *stage, picture_buffer *picture, iris_size size, iris_format format)
@@ -82,11 +83,11 @@ static int grow(const operation_stage *stage, void **memory, size_t *have, size_
     free(*memory);
     *have = 0;
     *memory = NULL;
-    if (bytes >= PICTURE_MEMORY_MAX || posix_memalign(memory, IRIS_SCRATCH_ALIGN, bytes + 1) != 0) {
-        *memory = NULL;
+    if (bytes < PICTURE_MEMORY_MAX) {
+        *memory = system_scratch(bytes + 1);
     }
     if (!*memory) {
-        complain(stage->file, "not enough working memory: %zu bytes", bytes);
+        complain(stage->file, "not enough working memory: %lu bytes", (unsigned long)bytes);
         return 0;
     }
     *have = bytes;

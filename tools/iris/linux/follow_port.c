@@ -1,4 +1,4 @@
-#include "follow_port.h"
+#include "../follow_port.h"
 
 #include <signal.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "complain.h"
+#include "../complain.h"
 #include "iris/serial.h"
 
 #define RECONNECT_MS 250
