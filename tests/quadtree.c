@@ -402,6 +402,11 @@ static void means_reproduce_the_picture(void **unused)
     }
 }
 
+static int32_t low_first(const uint8_t *bytes)
+{
+    return (int32_t)(bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24);
+}
+
 /* A 24-bit BMP without compression, or a PGM, of the shared data: pixels for free(); null when it is not there. */
 static uint8_t *load(iris_image *image, const char *name)
 {
@@ -414,10 +419,7 @@ static uint8_t *load(iris_image *image, const char *name)
     }
     data = load_file(data_path(name), &bytes);
     if (data) {
-        int32_t w, h, start;
-        memcpy(&start, data + 10, 4);
-        memcpy(&w, data + 18, 4);
-        memcpy(&h, data + 22, 4);
+        int32_t start = low_first(data + 10), w = low_first(data + 18), h = low_first(data + 22);
         ptrdiff_t stride = (3 * w + 3) / 4 * 4;
         *image = (iris_image){data + start + (h - 1) * stride, -stride, w, h, IRIS_BGR888};
     }

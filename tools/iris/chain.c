@@ -151,6 +151,9 @@ static int run_one(job *run)
             status = frame_reader_next(reader, &run->input, 0);
         }
         if (status == IRIS_OK) {
+            if (!is_filter) { /* an open file cannot be replaced on every system */
+                frame_reader_close(reader);
+            }
             exit_code = convert_one(run);
         }
     } while (is_filter && status == IRIS_OK && exit_code == EXIT_DONE);
