@@ -54,7 +54,8 @@ WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-l
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE -D_FILE_OFFSET_BITS=64
 INTEGER  := $(if $(filter s390x%,$(TARGET)),-msoft-float,-mgeneral-regs-only)
-PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3)$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
+PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3$(if $(findstring mingw,$(TARGET)), -Wa$(comma)-muse-unaligned-vector-move))$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
+# GCC aligns the stack of Windows to 16 bytes only, whatever it takes to lie there: AVX2 must move it as it lies.
 # The plain bodies of row kernels, too, are made with all that a port with vectors may use: what the compiler does well
 # needs no code of ours. PORT=generic holds the same sources to integer registers.
 KERNELISA := $(if $(filter sse avx2 neon helium,$(PORT)),$(if $(filter -O2,$(OPT)),-O3) $(PORTISA),$(INTEGER))

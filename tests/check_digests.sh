@@ -8,6 +8,7 @@ if [ "$GOLDEN" = write ]; then
 fi
 timeout 300 "$@" 2>&1 | awk -v golden=$golden '
     BEGIN { while ((getline line < golden) > 0) { split(line, field, " "); want[field[1]] = field[2] } }
+    { sub(/\r$/, "") }
     NF != 2            { print "# " $0; next }
     !($1 in want)      { print "not ok - digest " $1 " is not in " golden " (make golden)"; next }
     $2 != want[$1]     { print "not ok - digest " $1 " is " $2 ", golden " want[$1]; delete want[$1]; next }

@@ -404,7 +404,8 @@ static void means_reproduce_the_picture(void **unused)
 
 static int32_t low_first(const uint8_t *bytes)
 {
-    return (int32_t)(bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24);
+    return (int32_t)(bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 |
+                     (uint32_t)bytes[3] << 24);
 }
 
 /* A 24-bit BMP without compression, or a PGM, of the shared data: pixels for free(); null when it is not there. */

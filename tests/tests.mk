@@ -173,7 +173,16 @@ verify-examples: $(EXAMPLES)
 SCRIPTS := $(filter-out tests/check_%,$(wildcard tests/*.sh))
 verify-scripts: all
 	@tests/programs $(SCRIPTS)
-.PHONY: verify-house verify-examples verify-scripts
+
+# Windows programs, run by Wine: the server stays between them, so that none meets the end of the last one's.
+WINE_SCRIPTS := tests/tool.sh tests/tool_blobs.sh tests/tool_lock.sh tests/tool_pyramid.sh
+$(OUT)/wine-iris: $(TOOL)
+	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(RUNNER)' '$(abspath $(TOOL))' > $@ && chmod +x $@
+verify-windows: all $(OUT)/wine-iris
+	@$(dir $(RUNNER))wineserver64 -p60 || true
+	+@$(MAKE) -s verify-host
+	@RUNNER= IRIS=$(OUT)/wine-iris NOT_HERE=tests/not_on_windows tests/programs $(WINE_SCRIPTS)
+.PHONY: verify-house verify-examples verify-scripts verify-windows
 
 # --- all of it: each layer is a make of its own, and no two of them share a build folder at the same time ---
 
@@ -193,6 +202,12 @@ BIG      := $(MAKE) -s CHECKED= CC=s390x-linux-gnu-gcc CROSS_COMPILE=s390x-linux
             LEFT_OUT="check_kernels hsl xt/birdseye xt/blur xt/edge xt/floor xt/hough_circle xt/hough_directed xt/hough_shape \
                       xt/shape_match" \
             RUNNER="qemu-s390x -L /usr/s390x-linux-gnu -E LD_LIBRARY_PATH=$(BIG_ROOT)/usr/lib/s390x-linux-gnu"
+# Windows. The first program that Wine runs here makes a folder in the cache, which takes a while.
+WIN_ROOT := $(CACHE)/windows
+WINE     := /usr/lib/wine/wine64
+WIN      := env WINEPREFIX=$(CACHE)/wine WINEDEBUG=-all WINEDLLOVERRIDES="winemenubuilder.exe,winedbg.exe,mscoree,mshtml=d" \
+            $(MAKE) -s CHECKED= CC=x86_64-w64-mingw32-gcc CROSS_COMPILE=x86_64-w64-mingw32- SYSROOT=$(WIN_ROOT) OS=none PORT=sse \
+            RUNNER=$(WINE)
 # Firmware is small: optimized as a whole, without what moves and copies code for speed. Fat objects serve all other tools.
 BARE     := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none
 CORTEX   := $(BARE) OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
@@ -220,6 +235,7 @@ $(foreach p,$(filter-out $(EMULATED),$(PORTS)),$(eval $(call layer,$(p)-checked,
 $(eval $(call layer,lite,,$(CMOCKA_H),$(NATIVE) PROFILE=lite PORT=generic verify-lite verify-examples))
 $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/include/cmocka.h,$(A64) verify-host))
 $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
+$(eval $(call layer,windows,,x86_64-w64-mingw32-gcc $(WINE) $(WIN_ROOT)/usr/include/cmocka.h,$(WIN) verify-windows))
 $(eval $(call layer,big-endian,,s390x-linux-gnu-gcc qemu-s390x $(BIG_ROOT)/usr/include/cmocka.h,$(BIG) verify-host))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))

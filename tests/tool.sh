@@ -158,7 +158,7 @@ mkfifo pipe
 child=$!
 exec 3> pipe
 cat gray.pgm >&3
-for i in 1 2 3 4 5 6 7 8 9 10; do [ -s out ] && break; sleep 0.1; done
+for i in 1 2 3 4 5 6 7 8 9 10; do [ -s out ] && break; sleep 0.5; done
 [ "$(wc -l < out)" -eq 1 ]; say $? "a picture in a pipe is answered before the next one comes"
 printf 'garbage' >&3
 exec 3>&-
