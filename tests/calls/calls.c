@@ -43,7 +43,7 @@ static struct __attribute__((aligned(IRIS_SCRATCH_ALIGN))) {
     uint32_t number;
     const char *name;
     int accepted;
-} world __attribute__((aligned(IRIS_SCRATCH_ALIGN)));
+} world;
 
 /* ---- numbers ---- */
 
