@@ -281,7 +281,9 @@ static void large_blocks_have_exact_means(void **unused)
     (void)unused;
     int32_t w = 6000, h = 4000;
     uint8_t *large = malloc((size_t)w * (size_t)h);
-    assert_non_null(large);
+    if (!large) {
+        skip();
+    }
     memset(large, 255, (size_t)w * (size_t)h);
     memset(large, 254, (size_t)w * (size_t)h / 2);
     iris_image image = {large, w, w, h, IRIS_GRAY8};

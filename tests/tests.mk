@@ -78,15 +78,20 @@ verify-lite: lib $(UNIT_BIN)
 
 # --- bare metal: MACHINE is one of QEMU's; UNITY_ROOT is a checkout of Unity, else tests/target/unity speaks its macros ---
 
-MEMORY_microbit    := FLASH=0x40000 RAM=0x4000 RAM_AT=0x20000000
-MEMORY_mps2-an385  := FLASH=0x400000 RAM=0x400000 RAM_AT=0x20000000
-MEMORY_mps2-an386  := FLASH=0x400000 RAM=0x400000 RAM_AT=0x20000000
-MEMORY_mps3-an547  := FLASH=0x80000 RAM=0x400000 RAM_AT=0x21000000
+# The boards' fast memory, and the large one of those that run the library's tests.
+MEMORY_microbit         := FLASH=0x40000 RAM_AT=0x20000000 RAM=0x4000
+MEMORY_mps2-an385       := FLASH=0x400000 RAM_AT=0x20000000 RAM=0x400000
+MEMORY_mps2-an386       := FLASH=0x400000 RAM_AT=0x20000000 RAM=0x400000
+MEMORY_mps3-an547       := FLASH=0x80000 RAM_AT=0x21000000 RAM=0x400000
+LARGE_MEMORY_mps2-an500 := FLASH=0x400000 RAM_AT=0x60000000 RAM=0x1000000
+LARGE_MEMORY_mps3-an547 := FLASH=0x80000 RAM_AT=0x60000000 RAM=0x2000000
+MEMORY                   = $(MEMORY_$(MACHINE))
 STACK ?= 2048
 LINK   = -nostartfiles --specs=nano.specs -T tests/target/target.ld -Wl,--gc-sections \
-         $(patsubst %,-Wl$(comma)--defsym=%,$(MEMORY_$(MACHINE)) STACK=$(STACK))
+         $(patsubst %,-Wl$(comma)--defsym=%,$(MEMORY) STACK=$(STACK))
 UNITY_ROOT ?=
-UNITY      := $(if $(UNITY_ROOT),-I$(UNITY_ROOT)/src,-Itests/target/unity)
+UNITY_SRC  := $(if $(UNITY_ROOT),$(UNITY_ROOT)/src,tests/target/unity)
+UNITY      := -I$(UNITY_SRC)
 TARGETINC  := -Itests/target $(UNITY) -DUNITY_INCLUDE_CONFIG_H
 
 TARGET_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/target/*.c))
@@ -119,16 +124,39 @@ $(OUT)/follow_main.o: TARGETINC := -Dmain=follow_main
 $(OUT)/firmware_follow.o $(OUT)/follow_main.o: examples/firmware_follow.c
 	$(SAY)
 	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
-$(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(if $(UNITY_ROOT),$(OUT)/unity.o) $(LIB)
+$(OUT)/test_%.elf: $(OUT)/tests/target/test_%.o $(BOARD) $(OUT)/unity.o $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.o,$^) $(LIB)
 $(OUT)/digest.elf: STACK := 3072 # fits a floor: solving equations takes more than looking at a frame
 $(OUT)/digest.elf: $(filter-out $(DIGEST_HOST),$(DIGEST_OBJ)) $(START) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
-$(OUT)/unity.o: $(UNITY_ROOT)/src/unity.c
+$(OUT)/unity.o: $(UNITY_SRC)/unity.c
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(TARGETINC) -c -o $@ $<
+
+# The tests of the host, CMocka's, on bare metal: as Unity's, with the C library for files, heap, and the doubles that they
+# compare with. Without optimizing as a whole, which would take longer than all the tests.
+MODULE_SRC := $(filter-out tests/check_kernels.c tests/random_calls.c tests/bmp_suite.c,$(wildcard tests/*.c tests/xt/*.c))
+MODULE     := $(MODULE_SRC:tests/%.c=$(OUT)/module/%.elf)
+MODULE_LINK = $(subst --specs=nano.specs,--specs=rdimon.specs,$(LINK)) -fno-lto -Wl,--wrap=_sbrk -Wl,--defsym=end=link_bss_end
+BRIDGE     := $(OUT)/module/cmocka.o $(OUT)/tests/target/startup.o $(OUT)/unity.o
+BRIDGEINC  := -Itests/target/bridge $(TARGETINC)
+$(OUT)/module/cmocka.o: tests/target/bridge/cmocka.c
+	@mkdir -p $(@D)
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) -fno-lto $(BRIDGEINC) -c -o $@ $<
+$(OUT)/module/%.o: tests/%.c
+	@mkdir -p $(@D)
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) -Wno-format $(BASE) -fno-lto $(BRIDGEINC) -Iinclude -Itests -c -o $@ $<
+$(OUT)/module/%.elf: STACK := 0x40000
+$(OUT)/module/%.elf: MEMORY = $(LARGE_MEMORY_$(MACHINE))
+$(OUT)/module/%.elf: $(OUT)/module/%.o $(BRIDGE) $(LIB)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(MODULE_LINK) -o $@ $^ -lm
+verify-modules: $(MODULE)
+	@for elf in $(MODULE); do tests/target/run $(MACHINE) $$elf --unity; done
 
 verify-target: lib $(FIRMWARE) $(if $(DIGEST),$(OUT)/digest.elf)
 	@for elf in $(FIRMWARE); do tests/target/run $(MACHINE) $$elf --unity; done
@@ -217,6 +245,8 @@ M4       := $(CORTEX) PORT=cortexm MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mth
 M0       := $(CORTEX) PORT=generic MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
 # For speed, as vectors are for.
 M55      := $(BARE) PORT=helium MACHINE=mps3-an547 ARCH="-mcpu=cortex-m55 -mthumb -mfloat-abi=hard"
+# Doubles, which the library's tests compare with, are instructions of an M7.
+M7       := $(BARE) PORT=cortexm MACHINE=mps2-an500 ARCH="-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16"
 CMOCKA_H := /usr/include/cmocka.h
 
 define layer

@@ -5,6 +5,7 @@
 #include "target.h"
 
 #define UNITY_OUTPUT_CHAR(c) target_putc(c)
+#define UNITY_SUPPORT_64
 #define UNITY_EXCLUDE_FLOAT
 #define UNITY_EXCLUDE_DOUBLE
 
