@@ -273,7 +273,7 @@ $(eval $(call layer,big-endian,,s390x-linux-gnu-gcc qemu-s390x $(BIG_ROOT)/usr/i
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m7,,arm-none-eabi-gcc qemu-system-arm,$(M7) verify-modules))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target))
-$(eval $(call layer,cortex-m55,,arm-none-eabi-gcc qemu-system-arm,$(M55) verify-target))
+$(eval $(call layer,cortex-m55,,arm-none-eabi-gcc qemu-system-arm,$(M55) verify-target verify-modules))
 $(eval $(call layer,size,layer-cortex-m0 layer-cortex-m4,arm-none-eabi-gcc qemu-system-arm,$(MAKE) -s CHECKED= verify-size))
 $(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))
 $(if $(EXAMPLES),$(eval $(call layer,examples,layer-$(PORT)-checked,,$(NATIVE) CHECKED=1 verify-examples)))
