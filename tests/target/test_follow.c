@@ -1,6 +1,8 @@
 /* The firmware follower: rows in, sentences out. */
 #include "unity.h"
 
+#include "target.h"
+
 #include "course.h"
 
 #include "iris/command.h"

@@ -1,6 +1,8 @@
 /* The foundation on the real instruction set: views, working memory, and the compiler's promises. */
 #include "unity.h"
 
+#include "target.h"
+
 #include "iris/command.h"
 #include "iris/fixed.h"
 #include "iris/image.h"
