@@ -90,11 +90,11 @@ void iris_row_bell_across_sse(int16_t *dst, const int16_t *src, const int16_t *w
     iris_row_bell_across_c(dst, src, weights, radius, step, n);
 }
 
+/* Rounded to whole numbers, as a product by 1/64. */
 INLINE lanes to_bytes(lanes first, lanes second)
 {
-    const lanes half = V(set1_epi16)(32);
-    return in_order(V(packus_epi16)(V(srli_epi16)(V(add_epi16)(first, half), 6),
-                                    V(srli_epi16)(V(add_epi16)(second, half), 6)));
+    const lanes part = V(set1_epi16)(512);
+    return in_order(V(packus_epi16)(V(mulhrs_epi16)(first, part), V(mulhrs_epi16)(second, part)));
 }
 
 INLINE void across_u8(uint8_t *dst, const int16_t *src, const bell_weights by, int32_t radius, int32_t step,
