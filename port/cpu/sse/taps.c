@@ -236,7 +236,7 @@ static int plan_bytes(byte_plan *plan, const iris_row_tap *taps, int32_t count, 
     uint32_t factor = (one + divisor - 1) / divisor, excess = factor * divisor - one;
     plan->factor = (int32_t)factor;
     plan->how = (settling){excess == 0, (uint64_t)excess * (uint32_t)plan->most >= one, q->absolute};
-    return plan->most + q->divisor <= UINT16_MAX && plan->below + q->divisor <= UINT16_MAX;
+    return plan->most + q->divisor <= UINT16_MAX;
 }
 
 typedef struct {
