@@ -222,6 +222,38 @@ static void truth_of_windows(void **state)
     }
 }
 
+/* The greatest sums that leave d - 1 when they are divided by d: a factor that is not exact rounds them up. */
+static void truth_of_divisors(void **state)
+{
+    (void)state;
+    count = 3;
+    run = 1;
+    weights[0] = weights[1] = 127;
+    weights[2] = 1;
+    BOTH_BODIES(plain)
+    {
+        for (int d = 1; d < 255; d++) {
+            uint8_t out[N], row[3][N], *rows[1 + TAPS] = {out, row[0], row[1], row[2]};
+            int sums[N], shift = 31;
+            for (; d >> (shift - 30) != 0; shift++) {
+            }
+            uint32_t factor = (uint32_t)((((uint64_t)1 << shift) + (uint32_t)d - 1) / (uint32_t)d);
+            for (int i = 0; i < N; i++) {
+                row[0][i] = (uint8_t)(255 - 2 * i);
+                row[1][i] = (uint8_t)(255 - i);
+                sums[i] = d / 2 + 127 * (510 - 3 * i);
+                row[2][i] = (uint8_t)(d - 1 - sums[i] % d);
+                sums[i] += row[2][i];
+            }
+            quotient = (iris_row_quotient){d / 2, d, factor, shift, 0};
+            run_filter(plain, rows, N);
+            for (int i = 0; i < N; i++) {
+                assert_int_equal(out[i], sums[i] / d < 255 ? sums[i] / d : 255);
+            }
+        }
+    }
+}
+
 /* The same across a row of 10, 10, 10, 21, 21, 21, three samples apart. */
 static void truth_of_filter_s32(void **state)
 {
@@ -277,9 +309,9 @@ static void truth_of_settle(void **state)
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_taps),    cmocka_unit_test(truth_of_filter),
-        cmocka_unit_test(truth_of_windows), cmocka_unit_test(truth_of_filter_s32),
-        cmocka_unit_test(truth_of_settle),
+        cmocka_unit_test(truth_of_taps),       cmocka_unit_test(truth_of_filter),
+        cmocka_unit_test(truth_of_divisors),   cmocka_unit_test(truth_of_windows),
+        cmocka_unit_test(truth_of_filter_s32), cmocka_unit_test(truth_of_settle),
     };
     return cmocka_run_group_tests_name("kernels of taps", tests, NULL, NULL);
 }

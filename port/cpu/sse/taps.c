@@ -235,7 +235,8 @@ static int plan_bytes(byte_plan *plan, const iris_row_tap *taps, int32_t count, 
     uint32_t divisor = (uint32_t)q->divisor, one = (uint32_t)65536 << plan->shift;
     uint32_t factor = (one + divisor - 1) / divisor, excess = factor * divisor - one;
     plan->factor = (int32_t)factor;
-    plan->how = (settling){excess == 0, (uint64_t)excess * (uint32_t)plan->most >= one, q->absolute};
+    uint64_t most = (uint64_t)(plan->most < 255 * q->divisor ? plan->most : 255 * q->divisor);
+    plan->how = (settling){excess == 0, excess * most >= one, q->absolute};
     return plan->most + q->divisor <= UINT16_MAX;
 }
 
