@@ -1,5 +1,5 @@
-/* The AVX2 port: x86-64-v3. It takes the SSE port's kernels, compiled anew for this processor, where vectors of 32 bytes
- * buy nothing over them. Included by kernel.h only. */
+/* The AVX2 port: x86-64-v3. It takes the SSE port's kernels, compiled anew for this processor: those on lanes.h get
+ * vectors of 32 bytes, the others keep 16, where twice as many buy nothing. Included by kernel.h only. */
 #ifndef IRIS_PORT_AVX2_H
 #define IRIS_PORT_AVX2_H
 
