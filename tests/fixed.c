@@ -99,6 +99,11 @@ static void rounding_is_half_up(void **state)
     }
     for (int value = -70000; value <= 70000; value++) {
         assert_true(iris_round_shift(value, 7) == (int64_t)floor(value / 128.0 + 0.5));
+        assert_int_equal(iris_round_shift_s32(value, 7), iris_round_shift(value, 7));
+    }
+    for (int bits = 1; bits < 32; bits++) {
+        assert_int_equal(iris_round_shift_s32(INT32_MAX, bits), iris_round_shift(INT32_MAX, bits));
+        assert_int_equal(iris_round_shift_s32(INT32_MIN, bits), iris_round_shift(INT32_MIN, bits));
     }
 }
 

@@ -1,7 +1,7 @@
 /* IRIS - fixed-point numbers, square roots, and trigonometry, in integers only.
  *
  * The number in a type's name counts its fraction bits. Rounding is half up (towards plus infinity), and
- * iris_round_shift is the only place where it is done. The compiler must shift negative numbers
+ * iris_round_shift is the only place where it is done (iris_round_shift_s32 for 32 bits). The compiler must shift negative numbers
  * arithmetically and convert to a narrower signed type modulo 2^n, as gcc and clang do; tests/fixed.c checks
  * both.
  *
@@ -26,6 +26,12 @@ typedef int16_t iris_angle; /* 65536 = one turn: -180 degrees up to below 180; w
 
 /* value / 2^bits, rounded half up. bits: 1 to 63. Never overflows. */
 static inline int64_t iris_round_shift(int64_t value, int bits)
+{
+    return (value >> bits) + ((value >> (bits - 1)) & 1);
+}
+
+/* The same of 32 bits, for processors that have no more. bits: 1 to 31. */
+static inline int32_t iris_round_shift_s32(int32_t value, int bits)
 {
     return (value >> bits) + ((value >> (bits - 1)) & 1);
 }
@@ -150,7 +156,7 @@ static inline int32_t iris_angle_to_degrees(iris_angle angle)
 
 static inline int32_t iris_angle_to_centidegrees(iris_angle angle)
 {
-    return (int32_t)iris_round_shift((int32_t)angle * 1125, 11);
+    return iris_round_shift_s32((int32_t)angle * 1125, 11);
 }
 
 /* The nearest angle; any number of turns. An angle unit is 0.0055 degrees: hundredths to angle and back is

@@ -135,7 +135,7 @@ static int32_t angle_of_octant(uint32_t y, uint32_t x)
             angle -= step[i];
         }
     }
-    return (int32_t)iris_round_shift(angle, 16);
+    return iris_round_shift_s32(angle, 16);
 }
 
 iris_angle iris_atan2_angle(int32_t y, int32_t x)

@@ -44,7 +44,7 @@ void iris_follow_find_bend(iris_follow_shape *s)
             continue;
         }
         int32_t first = y;
-        while (iris_follow_width(s, first - 1) > s->width * 3 / 2 + 2) {
+        while (iris_follow_width(s, first - 1) > (s->width * 3 >> 1) + 2) {
             first--;
         }
         if (first > s->top && goes_on_behind(s, first, y, some)) {

@@ -17,8 +17,8 @@ static int32_t length_of(const iris_follow_chain *chain)
 {
     int32_t along_y = chain->bottom_y - chain->top_y + 1;
     int32_t along_x =
-        distance(chain->top.left + chain->top.right, chain->bottom.left + chain->bottom.right) / 2;
-    int32_t length = larger(along_x, along_y) + (along_x < along_y ? along_x : along_y) / 2;
+        distance(chain->top.left + chain->top.right, chain->bottom.left + chain->bottom.right) >> 1;
+    int32_t length = larger(along_x, along_y) + ((along_x < along_y ? along_x : along_y) >> 1);
     return larger(length, chain->widest);
 }
 
@@ -36,7 +36,7 @@ static int32_t columns_between(iris_span a, iris_span b)
 
 static int32_t center(iris_span span)
 {
-    return (span.left + span.right) / 2;
+    return (span.left + span.right) >> 1;
 }
 
 /* Does the way over the gap lie within 60 degrees of the way that the nearer chain goes? */
@@ -72,15 +72,15 @@ static int is_piece(const iris_follow *follow, const iris_follow_chain *chain)
 static int continues(const iris_follow *follow, const iris_follow_chain *near, const iris_follow_chain *far)
 {
     int32_t gap = near->top_y - far->bottom_y;
-    if (far->bottom_y >= near->bottom_y || far->top_y >= near->top_y || gap > follow->size.h / 4 ||
+    if (far->bottom_y >= near->bottom_y || far->top_y >= near->top_y || gap > follow->size.h >> 2 ||
         !is_piece(follow, near) || !is_piece(follow, far)) {
         return 0;
     }
     int32_t aside = columns_between(near->top, far->bottom);
-    if (aside > (gap > 0 ? gap * 3 / 2 : 0) + 2) {
+    if (aside > (gap > 0 ? gap * 3 >> 1 : 0) + 2) {
         return 0;
     }
-    return gap <= follow->size.h / 16 || goes_on(near, far);
+    return gap <= follow->size.h >> 4 || goes_on(near, far);
 }
 
 /* Does the chain reach the robot about where the line was in an earlier frame? */
@@ -88,8 +88,8 @@ static int is_where_it_was(const iris_follow *follow, const iris_follow_chain *c
 {
     int32_t w = follow->size.w;
     int32_t last = (w - 1 + ((follow->last.offset_q16 * w) >> 16)) / 2;
-    return follow->seen && !follow->config.lane && chain->bottom_y >= follow->size.h * 3 / 4 &&
-           distance(center(chain->bottom), last) <= w / 8;
+    return follow->seen && !follow->config.lane && chain->bottom_y >= follow->size.h * 3 >> 2 &&
+           distance(center(chain->bottom), last) <= w >> 3;
 }
 
 /* Longer, higher in contrast, nearer to the robot, and where the line was before is better. */
@@ -97,7 +97,7 @@ static int32_t score_of(const iris_follow *follow, const iris_follow_chain *chai
 {
     int32_t score = length_of(chain) * contrast_permil(chain);
     score += score / follow->size.h * chain->bottom_y;
-    return is_where_it_was(follow, chain) ? score + score / 2 : score;
+    return is_where_it_was(follow, chain) ? score + (score >> 1) : score;
 }
 
 /* Is the whole long enough, thin enough for its length, and without more gaps than line? */
@@ -113,7 +113,7 @@ static int is_line(const iris_follow *follow, int32_t farthest)
     }
     int32_t extent = bottom - follow->chains[farthest].top_y + 1;
     int32_t shorter = follow->size.w < follow->size.h ? follow->size.w : follow->size.h;
-    return length >= shorter / 4 && area / length * 3 <= length * 2 && rows * 2 >= extent;
+    return length >= shorter >> 2 && area / length * 3 <= length * 2 && rows * 2 >= extent;
 }
 
 /* The nearest chain that is not done yet. */

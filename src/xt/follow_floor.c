@@ -47,7 +47,7 @@ static int is_bright(const iris_follow *follow)
 /* The last block may be narrower: its sum becomes that of a whole block. */
 static void complete_last_block(const iris_follow *follow, iris_block8 *last)
 {
-    int32_t rest = follow->size.w % 8;
+    int32_t rest = (follow->size.w & 7);
     if (rest != 0) {
         last->sum = (uint16_t)(last->sum * 8 / rest);
     }
@@ -68,7 +68,7 @@ static void turn_pixels(const iris_follow *follow, int32_t blocks)
         follow->blocks[b].below ^= 0xff;
         follow->blocks[b].sum = (uint16_t)(2040 - follow->blocks[b].sum);
     }
-    int32_t rest = follow->size.w % 8;
+    int32_t rest = (follow->size.w & 7);
     if (rest != 0) {
         follow->blocks[blocks - 1].below &= (uint8_t)((1 << rest) - 1);
     }
@@ -96,13 +96,13 @@ static void new_floor(const iris_follow *follow, int32_t blocks)
     for (; count < blocks; count++) {
         total += follow->blocks[count].sum;
     }
-    int32_t most = total / count * 5 / 4; /* a hill above that is glare */
+    int32_t most = total / count * 5 >> 2; /* a hill above that is glare */
     for (int32_t b = 0; b < blocks; b++) {
         int32_t sum = follow->blocks[b].sum < most ? follow->blocks[b].sum : most;
         follow->blocks[b].sum = (uint16_t)sum;
         highest = sum > highest ? sum : highest;
     }
-    int32_t beyond = highest * 5 / 16;
+    int32_t beyond = highest * 5 >> 4;
     int32_t hill = beyond;
     for (int32_t b = 0; b < blocks; b++) {
         hill = follow->blocks[b].sum > hill ? follow->blocks[b].sum : hill;

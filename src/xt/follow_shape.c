@@ -52,7 +52,7 @@ static int is_level(const iris_line *line)
 /* A piece with fewer rows has no direction worth telling. */
 static int32_t least_rows(const iris_follow_shape *s)
 {
-    int32_t rows = s->follow->size.h / 16;
+    int32_t rows = s->follow->size.h >> 4;
     return rows > 4 ? rows : 4;
 }
 
@@ -61,7 +61,7 @@ static int32_t least_rows(const iris_follow_shape *s)
 static int32_t farthest_row(const iris_follow_shape *s, int32_t y0, int32_t y1)
 {
     int32_t margin = least_rows(s), at = -1;
-    int32_t most = s->width / 2 > 4 ? s->width / 2 : 4; /* twice the distance */
+    int32_t most = s->width >> 1 > 4 ? s->width >> 1 : 4; /* twice the distance */
     if (y0 - y1 < 2 * margin) {
         return -1;
     }
@@ -145,9 +145,9 @@ static void describe_bar(iris_follow_shape *s)
     int upright = s->upright_top <= s->bottom;
     int32_t sums[2] = {0, 0}, columns = hull.right - hull.left;
     for (int32_t k = 0; k < COLUMNS; k++) {
-        sums[k / (COLUMNS / 2)] += twice_middle(s, hull.left + columns * (2 * k + 1) / (2 * COLUMNS));
+        sums[k / (COLUMNS / 2)] += twice_middle(s, hull.left + (columns * (2 * k + 1) >> 5));
     }
-    int32_t middle = (sums[0] + sums[1]) / (2 * COLUMNS), rise = sums[0] - sums[1];
+    int32_t middle = (sums[0] + sums[1]) >> 5, rise = sums[0] - sums[1];
     int32_t from = upright ? s->twice_x[s->upright_top] : s->follow->size.w - 1;
     int32_t x0 = hull.left, x1 = hull.right;
     if (hull.left + hull.right < from) {
@@ -238,7 +238,7 @@ static void finish(iris_follow_shape *s, int32_t height)
         offset_of(s, s->bottom_x_q12 != NO_COLUMN ? s->bottom_x_q12 : segments_x_q12(result, h - 1));
     result->lookahead_offset_q16 = offset_of(s, ahead_q12);
     result->width_px = iris_follow_mean_width(s, INT32_MAX);
-    result->confidence_permil = s->rows * 1000 / (height > h / 2 ? height : h / 2);
+    result->confidence_permil = s->rows * 1000 / (height > h >> 1 ? height : h >> 1);
     result->rows = s->spans;
 }
 
@@ -260,9 +260,9 @@ static void describe_dashes(iris_follow_shape *s, const iris_follow_chain *far, 
         const iris_follow_chain *near = &s->follow->chains[far->next];
         if (count < IRIS_FOLLOW_SEGMENTS_MAX) {
             result->segments[count] = (iris_segment){
-                (near->top.left + near->top.right + near->bottom.left + near->bottom.right) / 4,
+                (near->top.left + near->top.right + near->bottom.left + near->bottom.right) >> 2,
                 (near->top_y + near->bottom_y) / 2,
-                (far->top.left + far->top.right + far->bottom.left + far->bottom.right) / 4,
+                (far->top.left + far->top.right + far->bottom.left + far->bottom.right) >> 2,
                 (far->top_y + far->bottom_y) / 2};
         }
         far = near;
@@ -288,7 +288,7 @@ int iris_follow_describe_line(iris_follow_result *result, iris_follow *follow, i
     s.width = iris_follow_mean_width(&s, INT32_MAX);
     if (pieces > 1 && gaps * 8 >= s.rows && s.rows * 2 < s.width * pieces * 3) { /* hardly longer than wide */
         describe_dashes(&s, &follow->chains[line], pieces - 1);
-    } else if (s.width > height * 3 / 2) { /* lies across as a whole */
+    } else if (s.width > height * 3 >> 1) { /* lies across as a whole */
         if (iris_follow_width(&s, follow->size.h - 1) == follow->size.w) {
             return 0; /* without an end towards the robot: its shadow */
         }
