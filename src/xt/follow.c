@@ -81,7 +81,8 @@ void iris_follow_prepare(iris_follow *follow, iris_size size, const iris_follow_
 {
     follow->config = *config; /* which may be the same */
     config = &follow->config;
-    memset(follow, 0, offsetof(iris_follow, config));
+    memset((uint8_t *)follow + sizeof follow->config, 0,
+           offsetof(iris_follow, color) - sizeof follow->config);
     follow->size = size;
     follow->describe = iris_follow_describe_line;
     follow->fit = fit_by_regression;

@@ -9,15 +9,15 @@
 /* Runs in successive rows that overlap: a piece of line, or of anything else that is dark. 36 bytes. */
 typedef struct iris_follow_chain {
     iris_span top, bottom; /* its runs in the rows top_y and bottom_y */
+    int16_t next;          /* chain that continues it towards the robot, or -1 */
+    uint8_t used;          /* 1: it belongs to a line that was chosen before */
+    uint8_t done;          /* 1: has been looked at */
     uint16_t top_y, bottom_y;
     uint16_t rows;                   /* rows with a run */
     uint16_t widest;                 /* run, pixels */
     int32_t area;                    /* pixels in all runs */
     int32_t contrast_sum, range_sum; /* one sample per row: how far from the floor, of how far it could be */
     int32_t total;                   /* score of it and of those that continue it, once it is done */
-    int16_t next;                    /* chain that continues it towards the robot, or -1 */
-    uint8_t used;                    /* 1: it belongs to a line that was chosen before */
-    uint8_t done;                    /* 1: has been looked at */
 } iris_follow_chain;
 
 /* follow.c: what both kinds of init share, in this order: the config or its defaults; the checks of it and of the size, and

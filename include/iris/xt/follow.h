@@ -102,6 +102,7 @@ typedef struct {
 /* A follower. The fields are its own; keep it anywhere, but do not copy it while a frame is being fed. */
 typedef struct iris_follow iris_follow;
 struct iris_follow {
+    iris_follow_config config;
     iris_size size;
     int32_t y;            /* rows fed in this frame; -1 between frames */
     int32_t min_width;    /* pixels */
@@ -121,10 +122,6 @@ struct iris_follow {
     iris_span *runs;                  /* IRIS_FOLLOW_RUNS per row; after the frame: one span per row */
     uint8_t *owner;                   /* chain of each run */
     struct iris_follow_chain *chains; /* pieces of line, or of anything else that looks like it */
-    uint32_t *mask;                   /* this row by color, one bit per column */
-    uint8_t *row;                     /* this row as GRAY8 or RGB888 */
-    uint8_t *votes;                   /* of the Hough transform */
-    uint16_t *levels;                 /* of Y that are selected, a bit each, per step of U and V */
     /* Finds a row's line pixels; returns the row as gray, or null when lines are told by color. */
     const uint8_t *(*mark)(iris_follow *follow, const void *pixels);
     /* Fits a line to the centers of the rows y0 to y1 (twice_x as for iris_regress_rows). */
@@ -132,7 +129,11 @@ struct iris_follow {
                        int32_t y1);
     /* From the chosen chains, the farthest first, to the result; returns 0 when there is none. */
     int (*describe)(iris_follow_result *result, iris_follow *follow, int32_t line);
-    iris_follow_config config;
+    /* in the caller's working memory: */
+    uint32_t *mask;            /* this row by color, one bit per column */
+    uint8_t *row;              /* this row as GRAY8 or RGB888 */
+    uint8_t *votes;            /* of the Hough transform */
+    uint16_t *levels;          /* of Y that are selected, a bit each, per step of U and V */
     iris_hsl_range_test color; /* the range, made ready */
     iris_follow_result last;   /* what a stale frame repeats */
 };
