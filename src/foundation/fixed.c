@@ -1,5 +1,7 @@
 #include "iris/fixed.h"
 
+#include "octant.h"
+
 /* a / b with `bits` fraction bits, rounded half up. bits: 0 to 30. */
 static int64_t quotient(int32_t a, int32_t b, int bits)
 {
@@ -106,36 +108,15 @@ static uint32_t magnitude(int32_t value)
     return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
 }
 
-/* atan(y / x) for x >= y >= 0, x > 0: 0 to 8192. Turns the vector onto the x axis by ever smaller known
- * angles. */
+/* atan(y / x) for x >= y >= 0, x > 0: 0 to 8192. */
 static int32_t angle_of_octant(uint32_t y, uint32_t x)
 {
-    /* atan(2^-1), atan(2^-2), ... in 2^-16 of an angle unit */
-    static const int32_t step[] = {316933406, 167458907, 85004756, 42667331, 21354465, 10679838,
-                                   5340245,   2670163,   1335087,  667544,   333772,   166886,
-                                   83443,     41722,     20861,    10430,    5215,     2608};
-    while (x >= (uint32_t)1 << 29) {
-        x >>= 1;
-        y >>= 1;
+    const int zeros = __builtin_clz(x), less = zeros < 3 ? 3 - zeros : 0, more = zeros > 3 ? zeros - 3 : 0;
+    octant_vector v = {(int32_t)(x >> less << more), (int32_t)(y >> less << more), 0};
+    for (int i = 0; i < OCTANT_STEPS; i++) {
+        v = octant_turned(v, i);
     }
-    while (x < (uint32_t)1 << 28) {
-        x <<= 1;
-        y <<= 1;
-    }
-    int32_t along = (int32_t)x, across = (int32_t)y, angle = 0;
-    for (int i = 0; i < (int)(sizeof step / sizeof step[0]); i++) {
-        int32_t turn_along = across >> (i + 1), turn_across = along >> (i + 1);
-        if (across >= 0) {
-            along += turn_along;
-            across -= turn_across;
-            angle += step[i];
-        } else {
-            along -= turn_along;
-            across += turn_across;
-            angle -= step[i];
-        }
-    }
-    return iris_round_shift_s32(angle, 16);
+    return iris_round_shift_s32(v.angle, 16);
 }
 
 iris_angle iris_atan2_angle(int32_t y, int32_t x)

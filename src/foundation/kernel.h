@@ -357,6 +357,12 @@ void iris_row_gradient_u8_c(const iris_row_gradient *to, const uint8_t *const ro
 #define iris_row_gradient_u8 iris_row_gradient_u8_c
 #endif
 
+/* dst = iris_atan2_angle(dy, dx) + turn, modulo 2^16; 0 where both are 0. */
+void iris_row_direction_s16_c(uint16_t *dst, const int16_t *dx, const int16_t *dy, int32_t turn, int32_t n);
+#ifndef iris_row_direction_s16
+#define iris_row_direction_s16 iris_row_direction_s16_c
+#endif
+
 /* dst = the sum of the four neighbors less 4 times the pixel, of three rows that are readable from -1 to n. */
 void iris_row_laplacian_u8_c(int16_t *dst, const uint8_t *const rows[3], int32_t n);
 #ifndef iris_row_laplacian_u8

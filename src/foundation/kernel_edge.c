@@ -1,6 +1,10 @@
 /* Edges: the plain C bodies. */
 #include "kernel.h"
 
+#include "iris/fixed.h"
+
+#include "octant.h"
+
 static inline int16_t size_of(int32_t dx, int32_t dy)
 {
     return (int16_t)((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
@@ -41,6 +45,60 @@ void iris_row_gradient_u8_c(const iris_row_gradient *to, const uint8_t *const ro
         gradient(to, rows, 128, n);
     } else if (n > 0) {
         gradient(to, rows, more, n);
+    }
+}
+
+/* Doubles both sides `bits` times where `along` stays below 2^29 then. */
+static inline octant_vector doubled(octant_vector v, int bits)
+{
+    const int shift = v.along >> (29 - bits) == 0 ? bits : 0;
+    return (octant_vector){v.along << shift, v.across << shift, 0};
+}
+
+/* The vector of a pixel in the first octant; along in 2^28..2^29 - 1. */
+static inline octant_vector octant_of(int32_t dx, int32_t dy)
+{
+    const int32_t right = dx < 0 ? -dx : dx, up = dy < 0 ? -dy : dy;
+    octant_vector v = {(up > right ? up : right) << 13, (up > right ? right : up) << 13, 0};
+    return doubled(doubled(doubled(doubled(v, 8), 4), 2), 1);
+}
+
+static inline uint16_t direction_of(int32_t dx, int32_t dy, int32_t angle_q16, int32_t turn)
+{
+    const int32_t right = dx < 0 ? -dx : dx, up = dy < 0 ? -dy : dy;
+    int32_t angle = iris_round_shift_s32(angle_q16, 16);
+    angle = up > right ? 16384 - angle : angle;
+    angle = dx < 0 ? 32768 - angle : angle;
+    angle = (dy < 0 ? -angle : angle) + turn;
+    return (uint16_t)((dx | dy) == 0 ? 0 : angle);
+}
+
+#define VECTORS 32
+
+/* As iris_atan2_angle does it, but step by step for many pixels, so that compilers work on several at once. */
+void iris_row_direction_s16_c(uint16_t *dst, const int16_t *dx, const int16_t *dy, int32_t turn, int32_t n)
+{
+    int32_t along[VECTORS], across[VECTORS], angle[VECTORS];
+    for (int32_t from = 0; from < n; from += VECTORS) {
+        const int32_t some = n - from < VECTORS ? n - from : VECTORS;
+        for (int32_t i = 0; i < some; i++) {
+            octant_vector v = octant_of(dx[from + i], dy[from + i]);
+            along[i] = v.along;
+            across[i] = v.across;
+            angle[i] = 0;
+        }
+        for (int step = 0; step < OCTANT_STEPS; step += 3) { /* of three, the vectors stay in registers */
+            for (int32_t i = 0; i < some; i++) {
+                octant_vector v = {along[i], across[i], angle[i]};
+                v = octant_turned(octant_turned(octant_turned(v, step), step + 1), step + 2);
+                along[i] = v.along;
+                across[i] = v.across;
+                angle[i] = v.angle;
+            }
+        }
+        for (int32_t i = 0; i < some; i++) {
+            dst[from + i] = direction_of(dx[from + i], dy[from + i], angle[i], turn);
+        }
     }
 }
 

@@ -257,9 +257,8 @@ iris_status iris_edge_direction(const iris_image *dst, const iris_image *src, co
             continue;
         }
         uint16_t *row = (uint16_t *)iris_image_row(dst, walk.y);
-        for (int32_t x = walk.first; x < walk.end; x++) {
-            row[x] = dx[x] == 0 && dy[x] == 0 ? 0 : (uint16_t)(iris_atan2_angle(dy[x], dx[x]) + turn);
-        }
+        iris_row_direction_s16(row + walk.first, dx + walk.first, dy + walk.first, turn,
+                               walk.end - walk.first);
     }
     return walk_end(&walk);
 }

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "../foundation/kernel.h"
 #include "../foundation/views.h"
 #include "mask_runs.h"
 #include "smooth_rows.h"
@@ -26,12 +27,32 @@ static int is_kept(selection *s)
     return 1;
 }
 
-static iris_angle direction_at(const uint8_t *const rows[3], int32_t x)
+#define BATCH 64
+
+/* Points whose directions are still to come, and their gradients. */
+typedef struct {
+    iris_edge_point *points;
+    int32_t count;
+    int16_t dx[BATCH], dy[BATCH];
+} batch;
+
+static void gradient_at(batch *to, const uint8_t *const rows[3], int32_t x)
 {
     const uint8_t *a = rows[0] + x, *b = rows[1] + x, *c = rows[2] + x;
-    int32_t dx = a[1] + 2 * b[1] + c[1] - a[-1] - 2 * b[-1] - c[-1];
-    int32_t dy = c[-1] + 2 * c[0] + c[1] - a[-1] - 2 * a[0] - a[1];
-    return iris_atan2_angle(dy, dx);
+    to->dx[to->count] = (int16_t)(a[1] + 2 * b[1] + c[1] - a[-1] - 2 * b[-1] - c[-1]);
+    to->dy[to->count] = (int16_t)(c[-1] + 2 * c[0] + c[1] - a[-1] - 2 * a[0] - a[1]);
+    to->count++;
+}
+
+static void direct(batch *of)
+{
+    uint16_t angles[BATCH];
+    iris_row_direction_s16(angles, of->dx, of->dy, 0, of->count);
+    for (int32_t i = 0; i < of->count; i++) {
+        of->points[i].angle = (iris_angle)angles[i];
+    }
+    of->points += of->count;
+    of->count = 0;
 }
 
 /* The points of row y; the smoothed rows around it are there. */
@@ -41,13 +62,21 @@ static void list_row(selection *s, const iris_image *mask, const iris_smooth_row
                                     iris_smooth_row(smooth, y + 1)};
     const uint32_t *row = iris_image_row(mask, y);
     iris_mask_span run = {0, 0};
+    batch some;
+    some.points = s->next;
+    some.count = 0;
     while (iris_mask_run(&run, row, run.end, mask->w)) {
         for (int32_t x = run.first; x < run.end; x++) {
             if (is_kept(s)) {
-                *s->next++ = (iris_edge_point){(int16_t)x, (int16_t)y, direction_at(rows, x)};
+                *s->next++ = (iris_edge_point){(int16_t)x, (int16_t)y, 0};
+                gradient_at(&some, rows, x);
+            }
+            if (some.count == BATCH) {
+                direct(&some);
             }
         }
     }
+    direct(&some);
 }
 
 static int32_t count_of(const iris_image *mask)

@@ -110,14 +110,15 @@ static void walk(circle_search *s, const hypothesis *c, int32_t band_q8, purpose
         int32_t i = first_from(s->points, s->row_first[row], end, x - far);
         for (; i < end && s->points[i].x <= x + far + 1; i++) {
             const iris_edge_point *p = &s->points[i];
-            if (!is_inside(&r, p) || (s->taken[i / 32] >> i % 32 & 1) ||
-                (of != GATHER_ALL && !points_along(&r, p, of == TAKE ? ALONG : ALONG_ABOUT))) {
+            if (!is_inside(&r, p) || (s->taken[i / 32] >> i % 32 & 1)) {
                 continue;
             }
+            const int fits = of == GATHER_ALL || points_along(&r, p, of == TAKE ? ALONG : ALONG_ABOUT);
             if (of == TAKE) {
-                s->taken[i / 32] |= (uint32_t)1 << i % 32;
+                s->taken[i / 32] |= (uint32_t)fits << i % 32;
             } else {
-                s->near[s->near_count++] = *p;
+                s->near[s->near_count] = *p; /* the next one takes its place if it does not fit */
+                s->near_count += fits;
             }
         }
     }

@@ -1,6 +1,8 @@
 /* Kernels of edges: gradients, their sizes, and where they are greatest. */
 #include "kernels.h"
 
+#include "iris/fixed.h"
+
 static int32_t more, low, high;
 static uint32_t gain;
 static uint8_t limit;
@@ -61,6 +63,19 @@ static void run_gradient(int plain, uint8_t **rows, int32_t n)
     const iris_row_gradient to = {halves(rows[0]), halves(rows[1]), halves(rows[2])};
     const uint8_t *const around[3] = {rows[3], rows[4], rows[5]};
     BODY(plain, iris_row_gradient_u8)(&to, around, more, n);
+}
+
+static int32_t turn;
+
+static void choose_turn(void)
+{
+    turn = random_below(2) ? 8192 * (int32_t)random_below(2) : (int32_t)random_below(65536);
+}
+
+static void run_direction(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_direction_s16)
+    ((uint16_t *)halves(rows[0]), halves(rows[1]), halves(rows[2]), turn, n);
 }
 
 static void run_laplacian(int plain, uint8_t **rows, int32_t n)
@@ -125,6 +140,7 @@ static void run_unlike(int plain, uint8_t **rows, int32_t n)
 
 static const kernel_case cases[] = {
     {KERNEL(iris_row_gradient_u8), run_gradient, choose_more, {ROW_S16, ROW_S16, ROW_S16, ROW3, ROW3, ROW3}},
+    {KERNEL(iris_row_direction_s16), run_direction, choose_turn, {ROW_U16, ROW_S16, ROW_S16}},
     {KERNEL(iris_row_laplacian_u8), run_laplacian, NULL, {ROW_S16, ROW3, ROW3, ROW3}},
     {KERNEL(iris_row_crossings_s16),
      run_crossings,
@@ -145,6 +161,31 @@ static const kernel_case cases[] = {
 };
 
 /* ---- truths ---- */
+
+/* Every gradient that bytes give, of signs in turn, and the farthest ones: the angle of the vector alone. */
+static void truth_of_direction(void **state)
+{
+    enum { MOST = 1020, ALL = MOST + 1 };
+    static int16_t dx[ALL], dy[ALL];
+    static uint16_t out[ALL];
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        for (int32_t down = 0; down <= ALL; down++) {
+            for (int32_t i = 0; i < ALL; i++) {
+                dx[i] = (int16_t)((down & 1 ? -1 : 1) * (down <= MOST ? i : INT16_MAX - i));
+                dy[i] = (int16_t)((i & 1 ? -1 : 1) * (down <= MOST ? down : INT16_MIN + i));
+            }
+            uint8_t *rows[3] = {(uint8_t *)out, (uint8_t *)dx, (uint8_t *)dy};
+            turn = 8192 * (down & 2);
+            run_direction(plain, rows, ALL);
+            for (int32_t i = 0; i < ALL; i++) {
+                int32_t angle = dx[i] == 0 && dy[i] == 0 ? 0 : iris_atan2_angle(dy[i], dx[i]) + turn;
+                assert_int_equal(out[i], (uint16_t)angle);
+            }
+        }
+    }
+}
 
 /* A slope of 3 to the right and 5 down: 8 neighbors make dx 8 3 and dy 8 5 by Sobel's weights, 6 3 by Prewitt's. */
 static void truth_of_gradient(void **state)
@@ -386,10 +427,11 @@ static void truth_of_unlike(void **state)
 static int truths(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(truth_of_gradient),      cmocka_unit_test(truth_of_gain),
-        cmocka_unit_test(truth_of_gains_at_once), cmocka_unit_test(truth_of_laplacian),
-        cmocka_unit_test(truth_of_crossings),     cmocka_unit_test(truth_of_above),
-        cmocka_unit_test(truth_of_ridges),        cmocka_unit_test(truth_of_unlike),
+        cmocka_unit_test(truth_of_gradient),  cmocka_unit_test(truth_of_gain),
+        cmocka_unit_test(truth_of_direction), cmocka_unit_test(truth_of_gains_at_once),
+        cmocka_unit_test(truth_of_laplacian), cmocka_unit_test(truth_of_crossings),
+        cmocka_unit_test(truth_of_above),     cmocka_unit_test(truth_of_ridges),
+        cmocka_unit_test(truth_of_unlike),
     };
     return cmocka_run_group_tests_name("kernels of edges", tests, NULL, NULL);
 }
