@@ -242,7 +242,8 @@ WIN      := env WINEPREFIX=$(CACHE)/wine WINEDEBUG=-all WINEDLLOVERRIDES="wineme
 # Firmware is small: optimized as a whole, without what moves and copies code for speed. Fat objects serve all other tools.
 BARE     := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none
 CORTEX   := $(BARE) OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
-                 -fno-inline-small-functions -fconserve-stack" \
+                 -fno-inline-small-functions -fconserve-stack -fno-ipa-modref -fno-forward-propagate -fno-tree-tail-merge \
+                 -fno-tree-dominator-opts" \
             CFLAGS="-flto -flto-partition=one -ffat-lto-objects"
 M4       := $(CORTEX) PORT=cortexm MACHINE=mps2-an386 ARCH="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
 M0       := $(CORTEX) PORT=generic MACHINE=microbit ARCH="-mcpu=cortex-m0 -mthumb"
