@@ -19,14 +19,18 @@ LITE_SRC := $(addprefix src/foundation/,$(addsuffix .c, \
 # A port with vectors leans on any of the plain bodies, where a row ends. The linker takes what is called.
 LITE_SRC += $(if $(filter generic,$(PORT)),,$(filter-out $(LITE_SRC),$(wildcard src/foundation/kernel*.c)))
 
-# Whose functions Lite has, but for these.
+# Whose functions Lite promises, but for these.
 LITE_HEADERS := $(addprefix include/iris/,$(addsuffix .h, \
     status image scratch fixed border color nv12 bayer quadtree command \
     xt/threshold xt/follow xt/steer xt/blob xt/lock xt/signature xt/convolve xt/morph xt/hough))
 # rows and views of HSL; the follower's other estimator; masks by the weights of generated kernels
 LITE_WITHOUT := iris_color_convert iris_color_row iris_follow_use_hough \
     $(addprefix iris_kernel_,roberts sobel prewitt isotropic laplacian box gaussian log unsharp)
-LITE_FUNCTIONS = $(filter-out $(LITE_WITHOUT),$(shell tests/declared $(LITE_HEADERS)))
+# More than Lite is for, from sources that it needs: a program that calls one of them links, and pays for it, but they are
+# neither promised nor weighed.
+LITE_BESIDE := iris_color_from_hsl iris_nv12_crop iris_morph_gradient iris_morph_tophat iris_morph_blackhat \
+    iris_hough_vote_edges iris_hough_votes_beyond_chance
+LITE_FUNCTIONS = $(filter-out $(LITE_WITHOUT) $(LITE_BESIDE),$(shell tests/declared $(LITE_HEADERS)))
 
 # The examples and the tests that call nothing else.
 LITE_EXAMPLES := $(addprefix examples/,firmware_follow.c follow.c lock.c)
