@@ -18,13 +18,6 @@ static void copy_row(uint8_t *dst, const uint8_t *src, size_t bytes)
     }
 }
 
-static void rgb_from_gray(uint8_t *dst, const uint8_t *src, int32_t n)
-{
-    for (int32_t i = 0; i < n; i++, dst += 3) {
-        dst[0] = dst[1] = dst[2] = src[i];
-    }
-}
-
 /* high: which of a pixel's two bytes is the high one. */
 static void rgb_from_565(uint8_t *dst, const uint8_t *src, int32_t n, int high)
 {
@@ -79,7 +72,7 @@ void iris_color_rgb_fill(uint8_t *dst, const uint8_t *src, iris_format format, i
 {
     switch (format) {
     case IRIS_GRAY8:
-        rgb_from_gray(dst, src, n);
+        iris_row_888_gray(dst, src, n);
         break;
     case IRIS_BGR888:
         iris_row_swap_888(dst, src, n);

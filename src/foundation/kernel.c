@@ -35,6 +35,13 @@ void iris_row_swap_888_c(uint8_t *dst, const uint8_t *src, int32_t n)
     }
 }
 
+void iris_row_888_gray_c(uint8_t *dst, const uint8_t *src, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        dst[3 * i] = dst[3 * i + 1] = dst[3 * i + 2] = src[i]; /* by index: compilers do it with vectors */
+    }
+}
+
 void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int32_t n)
 {
     for (int32_t start = 0; start < n; start += 32, src += 32) {

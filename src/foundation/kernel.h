@@ -129,6 +129,12 @@ void iris_row_swap_888_c(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_swap_888 iris_row_swap_888_c
 #endif
 
+/* dst = RGB888 (or BGR888) of gray levels: each one three times. dst and src do not overlap. */
+void iris_row_888_gray_c(uint8_t *dst, const uint8_t *src, int32_t n);
+#ifndef iris_row_888_gray
+#define iris_row_888_gray iris_row_888_gray_c
+#endif
+
 /* bit = src > limit. */
 void iris_row_above_u8_c(uint32_t *mask, const uint8_t *src, uint8_t limit, int32_t n);
 #ifndef iris_row_above_u8

@@ -41,6 +41,11 @@ static void run_swap_in_place(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_swap_888)(rows[0], rows[0], n);
 }
 
+static void run_888_gray(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_888_gray)(rows[0], rows[1], n);
+}
+
 static void run_hsl_range(int plain, uint8_t **rows, int32_t n)
 {
     BODY(plain, iris_row_hsl_range)(words(rows[0]), rows[1], &range, n);
@@ -69,6 +74,7 @@ static const kernel_case cases[] = {
     {KERNEL(iris_row_luma_rgba8888), run_luma_rgba8888, NULL, {ROW_U8, ROW(1, 4, 1, fill_u8)}},
     {KERNEL(iris_row_swap_888), run_swap, NULL, {ROW_888, ROW_888}},
     {KERNEL(iris_row_swap_888), run_swap_in_place, NULL, {ROW_888}},
+    {KERNEL(iris_row_888_gray), run_888_gray, NULL, {ROW_888, ROW_U8}},
     {KERNEL(iris_row_hsl_range), run_hsl_range, choose_range, {ROW_MASK, ROW_888}},
     {KERNEL(iris_row_hsl24_888), run_hsl24, choose_red, {ROW_888, ROW_888}},
     {KERNEL(iris_row_hsl24_888), run_hsl24_in_place, choose_red, {ROW_888}},
@@ -174,6 +180,23 @@ static void truth_of_swap(void **state)
     }
 }
 
+static void truth_of_888_gray(void **state)
+{
+    (void)state;
+    uint8_t src[N], dst[3 * N], *rows[] = {dst, src};
+    for (int i = 0; i < N; i++) {
+        src[i] = (uint8_t)(255 - 3 * i);
+    }
+    BOTH_BODIES(plain)
+    {
+        memset(dst, 0, sizeof dst);
+        run_888_gray(plain, rows, N);
+        for (int i = 0; i < 3 * N; i++) {
+            assert_int_equal(dst[i], 255 - 3 * (i / 3));
+        }
+    }
+}
+
 static void truth_of_hsl_range(void **state)
 {
     (void)state;
@@ -236,6 +259,7 @@ static int truths(void)
         cmocka_unit_test(hsl_range_of_many_colors),
         cmocka_unit_test(truth_of_luma),
         cmocka_unit_test(truth_of_swap),
+        cmocka_unit_test(truth_of_888_gray),
         cmocka_unit_test(truth_of_hsl_range),
         cmocka_unit_test(hsl24_of_all_colors),
         cmocka_unit_test(truth_of_hsl24),
