@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "neon"
-#define IRIS_PORT_OVERRIDES 40
+#define IRIS_PORT_OVERRIDES 38
 
 void iris_row_luma_rgb888_neon(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_neon
@@ -21,12 +21,6 @@ void iris_row_above_u8_neon(uint32_t *mask, const uint8_t *src, uint8_t limit, i
 
 void iris_row_scan8_u8_neon(iris_block8 *block, const uint8_t *src, int32_t n);
 #define iris_row_scan8_u8 iris_row_scan8_u8_neon
-
-void iris_row_slide_u32_neon(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
-#define iris_row_slide_u32 iris_row_slide_u32_neon
-
-void iris_row_slide_u16_neon(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n);
-#define iris_row_slide_u16 iris_row_slide_u16_neon
 
 void iris_row_box_mean_u8_neon(uint8_t *dst, const uint16_t *columns, int32_t side, int32_t step, int32_t n);
 #define iris_row_box_mean_u8 iris_row_box_mean_u8_neon

@@ -1,33 +1,5 @@
-/* Sums of columns, and gray levels against the mean of a window. */
+/* Gray levels against the mean of a window. */
 #include "bits.h"
-
-/* sums += enter - leave, eight of them. */
-static inline void slide_8(uint32_t *sums, uint8x8_t enter, uint8x8_t leave)
-{
-    int16x8_t change = vreinterpretq_s16_u16(vsubl_u8(enter, leave));
-    int32x4_t low = vaddw_s16(vreinterpretq_s32_u32(vld1q_u32(sums)), vget_low_s16(change));
-    int32x4_t high = vaddw_s16(vreinterpretq_s32_u32(vld1q_u32(sums + 4)), vget_high_s16(change));
-    vst1q_u32(sums, vreinterpretq_u32_s32(low));
-    vst1q_u32(sums + 4, vreinterpretq_u32_s32(high));
-}
-
-void iris_row_slide_u32_neon(uint32_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
-{
-    for (; n >= 16; n -= 16, sums += 16, enter += 16, leave += 16) {
-        uint8x16_t in = vld1q_u8(enter), out = vld1q_u8(leave);
-        slide_8(sums, vget_low_u8(in), vget_low_u8(out));
-        slide_8(sums + 8, vget_high_u8(in), vget_high_u8(out));
-    }
-    iris_row_slide_u32_c(sums, enter, leave, n);
-}
-
-void iris_row_slide_u16_neon(uint16_t *sums, const uint8_t *enter, const uint8_t *leave, int32_t n)
-{
-    for (; n >= 8; n -= 8, sums += 8, enter += 8, leave += 8) {
-        vst1q_u16(sums, vaddq_u16(vld1q_u16(sums), vsubl_u8(vld1_u8(enter), vld1_u8(leave))));
-    }
-    iris_row_slide_u16_c(sums, enter, leave, n);
-}
 
 typedef struct {
     uint32x4_t total; /* of the window before the next pixel's last column, four times */

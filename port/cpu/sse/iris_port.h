@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 45
+#define IRIS_PORT_OVERRIDES 43
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -142,17 +142,10 @@ void iris_row_filter_u8_sse(uint8_t *dst, const iris_row_tap *taps, int32_t coun
 void iris_row_crossings_s16_sse(uint32_t *mask, const int16_t *const rows[3], int32_t threshold, int32_t n);
 #define iris_row_crossings_s16 iris_row_crossings_s16_sse
 
-void iris_row_between_u8_sse(uint8_t *dst, const uint8_t *const rows[2], const iris_row_places *places,
-                             uint32_t down, int32_t n);
-#define iris_row_between_u8 iris_row_between_u8_sse
-
 void iris_row_columns16_u8_sse(uint8_t *dst, ptrdiff_t stride, const uint8_t *const rows[16], int32_t n);
 #define iris_row_columns16_u8 iris_row_columns16_u8_sse
 
 void iris_row_tone_u8_sse(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n);
 #define iris_row_tone_u8 iris_row_tone_u8_sse
-
-void iris_row_reverse_u8_sse(uint8_t *dst, const uint8_t *src, int32_t n);
-#define iris_row_reverse_u8 iris_row_reverse_u8_sse
 
 #endif
