@@ -52,7 +52,8 @@ endif
 comma    := ,
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-larger-than=1024) -Werror -std=c99 -pedantic
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
-POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE -D_FILE_OFFSET_BITS=64
+# MinGW's stat of 64 bits knows no folder by a name that ends with a slash.
+POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE $(if $(findstring mingw,$(TARGET)),,-D_FILE_OFFSET_BITS=64)
 INTEGER  := $(if $(filter s390x%,$(TARGET)),-msoft-float,-mgeneral-regs-only)
 PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3$(if $(findstring mingw,$(TARGET)), -Wa$(comma)-muse-unaligned-vector-move))$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
 # GCC aligns the stack of Windows to 16 bytes only, whatever it takes to lie there: AVX2 must move it as it lies.
