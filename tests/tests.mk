@@ -83,6 +83,7 @@ MEMORY_microbit         := FLASH=0x40000 RAM_AT=0x20000000 RAM=0x4000
 MEMORY_mps2-an385       := FLASH=0x400000 RAM_AT=0x20000000 RAM=0x400000
 MEMORY_mps2-an386       := FLASH=0x400000 RAM_AT=0x20000000 RAM=0x400000
 MEMORY_mps3-an547       := FLASH=0x80000 RAM_AT=0x21000000 RAM=0x400000
+LARGE_MEMORY_mps2-an386 := FLASH=0x400000 RAM_AT=0x21000000 RAM=0x1000000
 LARGE_MEMORY_mps2-an500 := FLASH=0x400000 RAM_AT=0x60000000 RAM=0x1000000
 LARGE_MEMORY_mps3-an547 := FLASH=0x80000 RAM_AT=0x60000000 RAM=0x2000000
 MEMORY                   = $(MEMORY_$(MACHINE))
@@ -156,13 +157,18 @@ $(OUT)/module/%.elf: STACK := 0x40000
 $(OUT)/module/%.elf: MEMORY = $(LARGE_MEMORY_$(MACHINE))
 $(OUT)/module/%.elf: $(OUT)/module/%.o $(BRIDGE) $(LIB)
 	$(SAY)
-	$(Q)$(CC) $(BASE) $(MODULE_LINK) -o $@ $^ -lm
+	$(Q)$(CC) $(BASE) $(MODULE_LINK) -o $@ $(filter %.o,$^) $(filter %.a,$^) -lm
+# The row kernels, of the boards that have the memory.
+KERNEL_MODULE := $(if $(LARGE_MEMORY_$(MACHINE)),$(OUT)/module/check_kernels.elf)
+KERNEL_MODULE_OBJ := $(patsubst tests/%.c,$(OUT)/module/%.o,$(filter-out %/gain.c,$(wildcard tests/kernels/*.c)))
+$(OUT)/module/check_kernels.o $(KERNEL_MODULE_OBJ): BRIDGEINC += $(KERNELINC)
+$(OUT)/module/check_kernels.elf: $(KERNEL_MODULE_OBJ) $(OUT)/module/guarded/bare.o
 verify-modules: $(MODULE)
 	@for elf in $(MODULE); do TIMEOUT=300 tests/target/run $(MACHINE) $$elf --unity; done
 	@for module in $(MODULE_LARGE); do echo "ok - $$module # SKIP more memory than $(MACHINE) has"; done
 
-verify-target: lib $(FIRMWARE) $(if $(DIGEST),$(OUT)/digest.elf)
-	@for elf in $(FIRMWARE); do tests/target/run $(MACHINE) $$elf --unity; done
+verify-target: lib $(FIRMWARE) $(KERNEL_MODULE) $(if $(DIGEST),$(OUT)/digest.elf)
+	@for elf in $(FIRMWARE) $(KERNEL_MODULE); do tests/target/run $(MACHINE) $$elf --unity; done
 	$(if $(DIGEST),@echo '# digests'; tests/check_digests.sh tests/target/run $(MACHINE) $(OUT)/digest.elf)
 	$(PURITY)
 

@@ -5,6 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Are there such pages? 0 on bare metal. */
+int guarded_by_pages(void);
+
 /* What guarded_memory gives is a whole number of these. */
 size_t guarded_page_bytes(void);
 

@@ -3,6 +3,11 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+int guarded_by_pages(void)
+{
+    return 1;
+}
+
 size_t guarded_page_bytes(void)
 {
     return (size_t)sysconf(_SC_PAGESIZE);

@@ -2,6 +2,11 @@
 
 #include <windows.h>
 
+int guarded_by_pages(void)
+{
+    return 1;
+}
+
 size_t guarded_page_bytes(void)
 {
     SYSTEM_INFO system;
