@@ -9,7 +9,7 @@ typedef struct {
     const uint8_t *a[PAIRS], *b[PAIRS];
     uint32_t weights[PAIRS]; /* two pairs of bytes, or a pair of 16 bits */
     int32_t pairs, kind;
-    int8_t end[PAIRS]; /* of groups of pairs whose sums fit 16 bits: 255 * 128 at most */
+    uint8_t end[PAIRS]; /* of groups of pairs whose sums fit 16 bits: 255 * 128 at most */
     int32_t groups;
 } tap_plan;
 
@@ -35,12 +35,12 @@ static void judge(tap_plan *plan, const iris_row_tap *taps, int32_t count)
             continue;
         }
         if (in_group + first + second > 128) {
-            plan->end[plan->groups++] = (int8_t)p;
+            plan->end[plan->groups++] = (uint8_t)p;
             in_group = 0;
         }
         in_group += first + second;
     }
-    plan->end[plan->groups++] = (int8_t)plan->pairs;
+    plan->end[plan->groups++] = (uint8_t)plan->pairs;
     plan->kind = largest > INT16_MAX ? UNFIT : plan->kind;
 }
 
