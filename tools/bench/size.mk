@@ -3,23 +3,23 @@
 # Lines of: what core flash RAM stack, bytes. The firmware is all that is in flash: the example, the library, what the
 # compiler calls, startup, and the emulator's hooks. Its stack is the deepest chain of calls, and as it was seen in a run. Its
 # rows are the sensor's and, for each row of the frame, its runs.
-SIZES := $(abspath $(BUILD))/sizes
+SIZED := $(abspath $(BUILD))/sizes
 SIZE   = $(CROSS_COMPILE)size $(1) | awk 'NR > 1 { print $$1 + $$2, $$2 + $$3 }'
 CHAIN  = $$(tests/worst_stack target_reset $(OUT)/firmware.elf.ltrans0.ltrans.ci $(OUT)/runtime.ci | cut -d' ' -f1)
 weigh: $(LIB) $(OUT)/firmware.elf $(OUT)/firmware_painted.elf $(OUT)/lite.elf $(OUT)/runtime.ci
-	@mkdir -p $(SIZES)
+	@mkdir -p $(SIZED)
 	@{ for f in $(CORE_SRC:%.c=%); do echo $$f $(CORE) $$($(call SIZE,$(OUT)/$$f.o)) -; done; \
 	  echo lite $(CORE) $$($(call SIZE,$(OUT)/lite.elf)) -; \
 	  echo follower $(CORE) $$($(call SIZE,$(OUT)/firmware.elf) | awk '{ print $$1, $$2 - $(STACK) }') $(CHAIN); \
 	  echo follower-seen $(CORE) $$($(call SIZE,$(OUT)/firmware.elf) | awk '{ print $$1, $$2 - $(STACK) }') \
 	      $$(tests/target/run $(MACHINE) $(OUT)/firmware_painted.elf | sed -n 's/^stack 0*//p'); \
-	  echo follower-rows $(CORE) 0 $$((160 + 120 * 4 * 5)) 0; } > $(SIZES)/$(CORE)
+	  echo follower-rows $(CORE) 0 $$((160 + 120 * 4 * 5)) 0; } > $(SIZED)/$(CORE)
 sizes:
 	+@$(M0) CORE=M0 weigh
 	+@$(M4) CORE=M4 weigh
 size: sizes ## bytes of flash, RAM, and stack on a Cortex-M0 and M4 at -Os: every file, IRIS-Lite, and the firmware follower
-	@tools/bench/sizes --table $(SIZES)/M0 $(SIZES)/M4
-	@tools/bench/sizes --json $(SIZES)/M0 $(SIZES)/M4 > $(BUILD)/size.json
+	@tools/bench/sizes --table $(SIZED)/M0 $(SIZED)/M4
+	@tools/bench/sizes --json $(SIZED)/M0 $(SIZED)/M4 > $(BUILD)/size.json
 verify-size: sizes
-	@tools/bench/sizes --tap $(SIZES)/M0 $(SIZES)/M4
+	@tools/bench/sizes --tap $(SIZED)/M0 $(SIZED)/M4
 .PHONY: size sizes verify-size weigh
