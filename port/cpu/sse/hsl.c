@@ -110,11 +110,16 @@ INLINE uint32_t in_range(const uint8_t *rgb, const range_vectors *range)
     lanes dark = V(adds_epu8)(max, min), bright = V(adds_epu8)(VSI(xor)(max, ones), VSI(xor)(min, ones));
     lanes limit = V(min_epu8)(dark, bright);
     lanes low = V(unpacklo_epi8)(chroma, limit), high = V(unpackhi_epi8)(chroma, limit);
-    lanes signs = join(signs_of(low, high, range->s0, range->s0), signs_of(low, high, range->s1, range->s1),
-                       misses_hue(p, V(sub_epi8)(middle, min), chroma, range));
+    lanes pale =
+        VSI(or)(signs_of(low, high, range->s0, range->s0), signs_of(low, high, range->s1, range->s1));
     lanes out = join(beyond(dark, range->dark), beyond(bright, range->bright),
                      V(subs_epu8)(range->chroma_min, chroma));
-    return (uint32_t)V(movemask_epi8)(VSI(andnot)(signs, V(cmpeq_epi8)(out, VSI(setzero)())));
+    lanes left = VSI(andnot)(pale, V(cmpeq_epi8)(out, VSI(setzero)()));
+    if (V(movemask_epi8)(left) == 0) { /* as most of a picture often is: the hue is not needed */
+        return 0;
+    }
+    lanes misses = misses_hue(p, V(sub_epi8)(middle, min), chroma, range);
+    return (uint32_t)V(movemask_epi8)(VSI(andnot)(misses, left));
 }
 
 INLINE uint32_t in_range_32(const uint8_t *rgb, const range_vectors *range)
