@@ -16,6 +16,7 @@ void iris_row_above_u8_avx2(uint32_t *mask, const uint8_t *src, uint8_t limit, i
     }
     const __m256i limits = _mm256_set1_epi8((char)limit);
     int32_t words = n / 32, rest = n % 32;
+#pragma GCC unroll 2
     for (int32_t word = 0; word < words; word++) {
         mask[word] = above_32(src + 32 * word, limits);
     }
