@@ -272,6 +272,48 @@ static void range_refuses_bad_bounds(void **state)
     assert_memory_equal(&test, &before, sizeof test);
 }
 
+/* A color of each whole degree, and corners of the cube: all ranges of hue that begin or end at a change of sector. */
+static void range_of_bgr_is_that_of_rgb(void **state)
+{
+    (void)state;
+    enum { W = 360 + 343, WORDS = (W + 31) / 32 };
+    static const int32_t hues[] = {0,   1,   59,  60,  61,  119, 120, 121, 180,
+                                   239, 240, 241, 299, 300, 301, 359, 360};
+    static const uint8_t levels[] = {0, 1, 51, 102, 128, 254, 255};
+    enum { HUES = sizeof hues / sizeof hues[0] };
+    uint8_t rgb[3 * W], bgr[3 * W];
+    for (int i = 0; i < 360; i++) {
+        int sector = i / 60, up = sector % 2 ? 60 - i % 60 : i % 60;
+        for (int c = 0; c < 3; c++) {
+            int most = (sector + 1) / 2 % 3 == c, least = (sector / 2 + 2) % 3 == c;
+            rgb[3 * i + c] = (uint8_t)(most ? 60 : least ? 0 : up);
+        }
+    }
+    for (int k = 0; k < 343; k++) {
+        uint8_t *corner = &rgb[3 * (360 + k)];
+        corner[0] = levels[k % 7];
+        corner[1] = levels[k / 7 % 7];
+        corner[2] = levels[k / 49];
+    }
+    for (int i = 0; i < 3 * W; i++) {
+        bgr[i] = rgb[i - i % 3 + 2 - i % 3];
+    }
+    for (int i = 0; i < HUES * HUES; i++) {
+        iris_hsl_range range = {hues[i / HUES], hues[i % HUES], i % 3 * 20, 100, 0, 100};
+        uint32_t of_rgb[WORDS] = {0}, of_bgr[WORDS] = {0};
+        iris_image src, mask;
+        assert_int_equal(iris_image_wrap(&src, rgb, sizeof rgb, (iris_size){W, 1}, 0, IRIS_RGB888), IRIS_OK);
+        assert_int_equal(iris_image_wrap(&mask, of_rgb, sizeof of_rgb, (iris_size){W, 1}, 0, IRIS_MASK1),
+                         IRIS_OK);
+        assert_int_equal(iris_hsl_range_mask(&mask, &src, &range), IRIS_OK);
+        assert_int_equal(iris_image_wrap(&src, bgr, sizeof bgr, (iris_size){W, 1}, 0, IRIS_BGR888), IRIS_OK);
+        assert_int_equal(iris_image_wrap(&mask, of_bgr, sizeof of_bgr, (iris_size){W, 1}, 0, IRIS_MASK1),
+                         IRIS_OK);
+        assert_int_equal(iris_hsl_range_mask(&mask, &src, &range), IRIS_OK);
+        assert_memory_equal(of_rgb, of_bgr, sizeof of_rgb);
+    }
+}
+
 static void range_rows_keep_the_bits_past_the_end(void **state)
 {
     (void)state;
@@ -369,6 +411,7 @@ int main(void)
         cmocka_unit_test(range_agrees_with_the_reference),
         cmocka_unit_test(range_of_known_colors),
         cmocka_unit_test(range_refuses_bad_bounds),
+        cmocka_unit_test(range_of_bgr_is_that_of_rgb),
         cmocka_unit_test(range_rows_keep_the_bits_past_the_end),
         cmocka_unit_test(range_of_a_view_is_that_of_its_rows),
     };

@@ -57,6 +57,9 @@ static inline iris_hsl iris_hsl_of(int32_t r, int32_t g, int32_t b, int32_t hues
     return hsl;
 }
 
+/* The test that finds in a row of BGR888, read as if it were RGB888, the pixels that `test` finds in its colors. */
+iris_hsl_range_test iris_hsl_range_of_bgr(const iris_hsl_range_test *test);
+
 /* Rows of n pixels between HSL and RGB888 (red = 0) or BGR888 (red = 2). HSL24 works in place. */
 void iris_hsl48_row_from_888(uint16_t *dst, const uint8_t *src, int32_t n, int red);
 void iris_hsl48_row_to_888(uint8_t *dst, const uint16_t *src, int32_t n, int red);

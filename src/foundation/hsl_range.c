@@ -1,4 +1,4 @@
-#include "iris/color.h"
+#include "hsl.h"
 #include "kernel.h"
 
 static int ordered(int32_t low, int32_t high, int32_t most)
@@ -25,6 +25,18 @@ iris_status iris_hsl_range_prepare(iris_hsl_range_test *test, const iris_hsl_ran
     result.l1 = range->l1 * 510 / 100;
     *test = result;
     return IRIS_OK;
+}
+
+/* Red at 0 degrees and blue at 240 change places, green at 120 stays: hue h becomes 240 - h. */
+iris_hsl_range_test iris_hsl_range_of_bgr(const iris_hsl_range_test *test)
+{
+    iris_hsl_range_test turned = *test;
+    if (test->h1 != 360) { /* the whole circle stays as it is */
+        turned.h0 = (600 - test->h1) % 360;
+        turned.h1 = (600 - test->h0) % 360;
+        turned.hue_wraps = turned.h0 > turned.h1;
+    }
+    return turned;
 }
 
 int iris_hsl_range_has(const iris_hsl_range_test *test, iris_color color)
@@ -90,11 +102,14 @@ iris_status iris_hsl_range_mask(const iris_image *mask, const iris_image *src, c
     if (iris_image_overlaps(mask, src)) {
         return IRIS_ERR_ALIAS;
     }
+    if (src->format == IRIS_BGR888) {
+        test = iris_hsl_range_of_bgr(&test);
+    }
     iris_status status = IRIS_OK;
     for (int32_t y = 0; y < src->h && status == IRIS_OK; y++) {
         uint32_t *bits = (uint32_t *)iris_image_row(mask, y);
         const uint8_t *from = (const uint8_t *)iris_image_row(src, y);
-        if (src->format == IRIS_RGB888) {
+        if (src->format == IRIS_RGB888 || src->format == IRIS_BGR888) {
             iris_row_hsl_range(bits, from, &test, src->w);
         } else {
             status = row_by_pieces(bits, from, src, &test);

@@ -1,4 +1,5 @@
 /* Followers of every kind: colored lines, lanes, and rows that are not gray. */
+#include "../foundation/hsl.h"
 #include "follow_parts.h"
 
 static const uint8_t *mark_converted(iris_follow *follow, const void *pixels)
@@ -12,7 +13,7 @@ static const uint8_t *mark_color(iris_follow *follow, const void *pixels)
 {
     int32_t blocks = (int32_t)IRIS_FOLLOW_BLOCKS(follow->size.w);
     const uint8_t *rgb = pixels;
-    if (follow->config.format != IRIS_RGB888) {
+    if (follow->config.format != IRIS_RGB888 && follow->config.format != IRIS_BGR888) {
         (void)iris_color_rgb_row(follow->row, pixels, follow->config.format, follow->size.w);
         rgb = follow->row;
     }
@@ -53,7 +54,7 @@ iris_status iris_follow_init_full(iris_follow *follow, iris_size size, const iri
     iris_follow_prepare(follow, size, used, memory);
     follow->mark = used->kind == IRIS_FOLLOW_COLOR ? mark_color : mark_converted;
     follow->describe = used->lane ? iris_follow_describe_lane : iris_follow_describe_line;
-    follow->color = color;
+    follow->color = used->format == IRIS_BGR888 ? iris_hsl_range_of_bgr(&color) : color;
     follow->mask = mask;
     follow->row = row;
     return IRIS_OK;
