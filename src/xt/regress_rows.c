@@ -53,9 +53,8 @@ typedef struct {
     int32_t y0, y1;
 } row_range;
 
-/* Of the points, at twice the scale, around a center: at most 2^14 of them, within +-32767 and 0..32766. */
+/* Of the points, at twice the scale: at most 2^14 of them, within +-32767 and 0..32766. */
 typedef struct {
-    int32_t center_x, center_y;
     int32_t n, x, y;
     int64_t difference, xy; /* of the squares of y and of x; products */
 } row_sums;
@@ -63,36 +62,39 @@ typedef struct {
 /* Of those points that are at most limit_q2 away from a line; of all where `from` is null. */
 static void sum_rows(row_sums *sums, const row_range *rows, const ruler *from, int32_t limit_q2)
 {
+    int32_t n = 0, sum_x = 0, sum_y = 0;
+    int64_t difference = 0, xy = 0;
     for (int32_t row = rows->y0; row <= rows->y1; row++) {
         int32_t x = rows->twice_x[row], y = 2 * row;
         if (x == IRIS_REGRESS_NONE || (from && distance_q2(from, x, row) > limit_q2)) {
             continue;
         }
-        x -= sums->center_x;
-        y -= sums->center_y;
-        sums->n++;
-        sums->x += x;
-        sums->y += y;
-        sums->difference += y * y;
-        sums->difference -= (uint32_t)x * (uint32_t)x;
-        sums->xy += x * y;
+        n++;
+        sum_x += x;
+        sum_y += y;
+        difference += y * y - x * x;
+        xy += x * y;
     }
+    *sums = (row_sums){n, sum_x, sum_y, difference, xy};
 }
 
-/* The line through the rows, in two passes: first the center, then what is around it. */
-static iris_status fit_rows(iris_line *line, const row_range *rows, const ruler *from, int32_t limit_q2)
+/* a * b for |a| below 2^15 + 1, without the code that a small processor needs for 64 bits. */
+static int64_t product(int32_t a, int32_t b)
 {
-    row_sums sums = {0};
-    sum_rows(&sums, rows, from, limit_q2);
-    int32_t n = sums.n;
+    return (int64_t)(a * (b >> 15)) * 32768 + a * (b & 0x7fff);
+}
+
+/* The line through the points, from what is around their center. */
+static iris_status fit_rows(iris_line *line, const row_sums *sums)
+{
+    int32_t n = sums->n, x = sums->x, y = sums->y;
     if (n < 1) {
         return IRIS_ERR_RANGE;
     }
-    int32_t center_x = sums.x / n, center_y = sums.y / n;
-    sums = (row_sums){.center_x = center_x, .center_y = center_y};
-    sum_rows(&sums, rows, from, limit_q2);
-    int32_t rest_x = sums.x, rest_y = sums.y;
-    int64_t difference = sums.difference, xy = sums.xy;
+    int32_t center_x = x / n, center_y = y / n;
+    int32_t rest_x = x - center_x * n, rest_y = y - center_y * n;
+    int64_t difference = sums->difference - product(center_y, y + rest_y) + product(center_x, x + rest_x);
+    int64_t xy = sums->xy - product(center_x, y) - center_y * rest_x;
     /* what the whole numbers miss of the center, as the rest and with 16 fraction bits */
     int32_t fraction_x = rest_x * 65536 / n, fraction_y = rest_y * 65536 / n;
     difference = difference * 65536 - (rest_y * fraction_y - rest_x * fraction_x);
@@ -130,16 +132,19 @@ iris_status iris_regress_rows_rough(iris_line *line, const int16_t *twice_x, int
                                     int32_t trims)
 {
     const row_range rows = {twice_x, y0, y1};
-    iris_status status = fit_rows(line, &rows, NULL, 0);
-    int32_t all = line->points;
+    row_sums sums;
+    sum_rows(&sums, &rows, NULL, 0);
+    int32_t all = sums.n;
+    iris_status status = fit_rows(line, &sums);
     for (; status == IRIS_OK && trims > 0; trims--) {
         ruler from = ruler_along(line);
         int32_t limit = trim_limit_q2(&rows, &from, all);
         if (limit == INT32_MAX && line->points == all) {
             break; /* the line through all points, and none is to be left out */
         }
+        sum_rows(&sums, &rows, &from, limit);
         /* when what is left has no direction, the line before stays */
-        (void)fit_rows(line, &rows, &from, limit);
+        (void)fit_rows(line, &sums);
     }
     return status;
 }
