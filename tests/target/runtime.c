@@ -9,6 +9,7 @@ uint64_t __aeabi_uidivmod(uint32_t a, uint32_t b);
 uint32_t __aeabi_uidiv(uint32_t a, uint32_t b);
 int32_t __aeabi_idiv(int32_t a, int32_t b);
 uint64_t __aeabi_idivmod(int32_t a, int32_t b);
+int __clzsi2(uint32_t a);
 void __aeabi_uldivmod(void);
 void __aeabi_ldivmod(void);
 uint64_t target_divide(uint64_t a, uint64_t b, uint64_t *rest);
@@ -77,7 +78,17 @@ uint64_t __aeabi_idivmod(int32_t a, int32_t b)
     return (uint64_t)((uint32_t)a - (uint32_t)quotient * (uint32_t)b) << 32 | (uint32_t)quotient;
 }
 
-/* The same for 64 bits. */
+/* Zero bits above the highest 1. */
+int __clzsi2(uint32_t a)
+{
+    int zeros = 32;
+    for (; a != 0; a >>= 1) {
+        zeros--;
+    }
+    return zeros;
+}
+
+/* Division of 64 bits. */
 uint64_t target_divide(uint64_t a, uint64_t b, uint64_t *rest)
 {
     uint64_t quotient = 0, bit = b != 0;
