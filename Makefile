@@ -1,5 +1,5 @@
 # IRIS - `make help` explains every target.
-# Set on the command line: PORT=generic|sse|avx2|neon  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
+# Set on the command line: PORT=generic|sse|avx2|neon|cortexm|helium  OS=linux|none  CROSS_COMPILE=prefix-  ARCH=-mcpu=...
 #                          PROFILE=lite (what microcontrollers need, src/lite.mk)
 #                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder  V=1 (whole commands)
 
@@ -14,32 +14,40 @@ PREFIX  ?= /usr/local
 DESTDIR ?=
 ARCH    ?=
 
-# The best port of the compiler's target; a native x86 build also asks this processor.
-ifeq ($(origin PORT),undefined)
+# What of a list this machine's processor lacks, as Linux names it; nothing where nobody can say.
+cpu_lacks = $(shell [ -r /proc/cpuinfo ] && for f in $(1); do grep -qw $$f /proc/cpuinfo || echo $$f; done)
+CPU_sse   := ssse3 sse4_1 sse4_2
+CPU_avx2  := $(CPU_sse) avx2 bmi2 movbe abm
+
+# The best port of what the compiler's target promises; a native build also asks this processor. ARM's ports are for little-endian.
+ifeq ($(PORT),)
   MACROS   := $(shell $(CC) $(ARCH) $(CFLAGS) -dM -E -x c /dev/null)
   promises  = $(filter $(1),$(MACROS))
-  cpu_lacks = $(shell for f in $(1); do grep -qw $$f /proc/cpuinfo 2> /dev/null || echo $$f; done)
-  ifneq ($(findstring none-eabi,$(TARGET)),)
-    PORT := $(if $(call promises,__ARM_FEATURE_MVE),helium,$(if $(call promises,__ARM_FEATURE_DSP),cortexm,generic))
-  else ifneq ($(call promises,__ARM_NEON),)
-    PORT := neon
-  else ifeq ($(findstring x86_64,$(TARGET)),)
-    PORT := generic
-  else ifneq ($(CROSS_COMPILE),)
-    PORT := $(if $(call promises,__AVX2__),avx2,$(if $(call promises,__SSE4_1__),sse,generic))
+  native_has = $(if $(CROSS_COMPILE),,$(if $(call cpu_lacks,$(1)),,yes))
+  ifneq ($(call promises,__ARM_BIG_ENDIAN __AARCH64EB__),)
+    override PORT := generic
+  else ifneq ($(findstring none-eabi,$(TARGET)),)
+    override PORT := $(if $(call promises,__ARM_FEATURE_MVE),helium,$(if $(call promises,__ARM_FEATURE_DSP),cortexm,generic))
+  else ifneq ($(findstring x86_64,$(TARGET)),)
+    override PORT := $(if $(or $(call promises,__AVX2__),$(call native_has,$(CPU_avx2))),avx2,$(if \
+                       $(or $(call promises,__SSE4_1__),$(call native_has,$(CPU_sse))),sse,generic))
   else
-    PORT := $(if $(call cpu_lacks,ssse3 sse4_1 sse4_2),generic,$(if $(call cpu_lacks,avx2 bmi2 movbe abm),sse,avx2))
-  endif
-  ifeq ($(wildcard port/cpu/$(PORT)/iris_port.h),)
-    PORT := generic
+    override PORT := $(if $(or $(call promises,__ARM_NEON),$(and $(findstring arm,$(TARGET)),$(call native_has,neon))),neon,generic)
   endif
 endif
 
 ifeq ($(wildcard port/cpu/$(PORT)/iris_port.h),)
   $(error PORT=$(PORT) is unknown, there are: $(notdir $(patsubst %/,%,$(dir $(wildcard port/cpu/*/iris_port.h)))))
 endif
-ifneq ($(filter neon-x86_64% cortexm-x86_64% helium-x86_64%,$(PORT)-$(TARGET)),)
-  $(error PORT=$(PORT) needs a compiler for ARM, such as CROSS_COMPILE=aarch64-linux-gnu-)
+RUNS_sse := x86_64%
+RUNS_avx2 := x86_64%
+RUNS_neon := aarch64% arm-linux%
+RUNS_cortexm := arm-none%
+RUNS_helium := arm-none%
+ifneq ($(RUNS_$(PORT)),)
+  ifeq ($(filter $(RUNS_$(PORT)),$(TARGET)),)
+    $(error PORT=$(PORT) is for $(subst %,,$(RUNS_$(PORT))), and $(CC) makes code for $(TARGET))
+  endif
 endif
 # A port may build on another one, whose iris_port.h it includes.
 PORTS_USED := $(PORT) $(shell sed -n 's|^.include "../\([a-z0-9]*\)/iris_port.h"|\1|p' port/cpu/$(PORT)/iris_port.h)
@@ -48,17 +56,21 @@ ifeq ($(filter full lite,$(PROFILE)),)
 endif
 
 # The library is integers only, and -mgeneral-regs-only holds it to that. Tools, examples and tests see include/ only
-# and may use floating point. Sanitizers enlarge frames and confuse flow warnings, so they are checked without.
+# and may use floating point. Sanitizers enlarge frames, as other levels of optimization do, so frames are checked without.
 comma    := ,
-WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,-Wframe-larger-than=1024) -Werror -std=c99 -pedantic
+WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,$(if $(filter -O2 -Os,$(firstword $(OPT))),-Wframe-larger-than=1024)) -Werror -std=c99 -pedantic
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 # MinGW's stat of 64 bits knows no folder by a name that ends with a slash.
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE $(if $(findstring mingw,$(TARGET)),,-D_FILE_OFFSET_BITS=64)
 INTEGER  := $(if $(filter s390x%,$(TARGET)),-msoft-float,-mgeneral-regs-only)
-PORTISA  := $(if $(filter sse,$(PORT)),-march=x86-64-v2)$(if $(filter avx2,$(PORT)),-march=x86-64-v3$(if $(findstring mingw,$(TARGET)), -Wa$(comma)-muse-unaligned-vector-move))$(if $(filter neon-arm%,$(PORT)-$(TARGET)),-mfpu=neon)$(if $(filter generic,$(PORT)),$(INTEGER))
 # GCC aligns the stack of Windows to 16 bytes only, whatever it takes to lie there: AVX2 must move it as it lies.
-# The plain bodies of row kernels, too, are made with all that a port with vectors may use: what the compiler does well
-# needs no code of ours. PORT=generic holds the same sources to integer registers.
+PORTISA_generic := $(INTEGER)
+PORTISA_sse     := -march=x86-64-v2
+PORTISA_avx2    := -march=x86-64-v3$(if $(findstring mingw,$(TARGET)), -Wa$(comma)-muse-unaligned-vector-move)
+PORTISA_neon    := $(if $(filter arm%,$(TARGET)),-mfpu=neon)
+PORTISA         := $(PORTISA_$(PORT))
+# The plain bodies of row kernels, too, are made with all that a port with vectors may use, and with -O3 where -O2 is asked
+# for: what the compiler does well needs no code of ours. PORT=generic holds the same sources to integer registers.
 KERNELISA := $(if $(filter sse avx2 neon helium,$(PORT)),$(if $(filter -O2,$(OPT)),-O3) $(PORTISA),$(INTEGER))
 SANITIZE := $(if $(CHECKED),-fsanitize=$(if $(FUZZER),fuzzer-no-link$(comma))address$(comma)undefined \
               -fno-sanitize-recover=all -fno-omit-frame-pointer -g -DIRIS_CHECKED)

@@ -23,7 +23,7 @@ ifneq ($(CROSS_GAP),)
 else
 	+@$(M4) OPT=$(OPT) RESULTS=$(FIGURES) RESULT=1-M4 count-target
 	+@$(M0) OPT=$(OPT) RESULTS=$(FIGURES) MACHINE=mps2-an385 RESULT=2-M0 count-target
-	+@$(M0) SIZES=$(FIGURES) CORE=M0 weigh
+	+@$(M0) SIZED=$(FIGURES) CORE=M0 weigh
 	@awk '$$1 == "follower" { print $$3, $$1 }' $(FIGURES)/M0 > $(FIGURES)/size
 endif
 .PHONY: score figures
