@@ -111,8 +111,15 @@ static uint32_t magnitude(int32_t value)
 /* atan(y / x) for x >= y >= 0, x > 0: 0 to 8192. */
 static int32_t angle_of_octant(uint32_t y, uint32_t x)
 {
-    const int zeros = __builtin_clz(x), less = zeros < 3 ? 3 - zeros : 0, more = zeros > 3 ? zeros - 3 : 0;
-    octant_vector v = {(int32_t)(x >> less << more), (int32_t)(y >> less << more), 0};
+    while (x >= (uint32_t)1 << 29) {
+        x >>= 1;
+        y >>= 1;
+    }
+    while (x < (uint32_t)1 << 28) {
+        x <<= 1;
+        y <<= 1;
+    }
+    octant_vector v = {(int32_t)x, (int32_t)y, 0};
     for (int i = 0; i < OCTANT_STEPS; i++) {
         v = octant_turned(v, i);
     }
