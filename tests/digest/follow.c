@@ -3,6 +3,8 @@
 
 #include "iris/xt/follow.h"
 
+#include <string.h>
+
 #define W 96
 #define H 60
 
@@ -61,6 +63,37 @@ static void drive(const iris_follow_config *config, int32_t sign, int32_t bytes)
     }
 }
 
+/* The same course, whose line is red, in YUYV. */
+static void by_signature(void)
+{
+    const iris_hsl_range red = {330, 20, 30, 100, 5, 90};
+    iris_follow_config config;
+    iris_follow_defaults(&config);
+    config.kind = IRIS_FOLLOW_COLOR;
+    config.format = IRIS_YUYV;
+    iris_follow *follow = digest_take(sizeof *follow);
+    uint8_t *row = digest_take(2 * (size_t)W);
+    iris_signatures *signatures = digest_take(sizeof *signatures);
+    iris_scratch scratch = digest_scratch(IRIS_FOLLOW_SIGNATURE_SCRATCH_BYTES(W, H));
+    memset(signatures, 0, sizeof *signatures);
+    digest_number(iris_signature_from_range(signatures, 2, &red));
+    digest_number(
+        iris_follow_init_signature(follow, (iris_size){W, H}, &config, signatures, 1u << 2, &scratch));
+    for (int32_t t = 0; t < 6; t++) {
+        iris_follow_result result = {0};
+        digest_number(iris_follow_begin(follow));
+        for (int32_t y = 0; y < H; y++) {
+            course_row(row, y, t, -1, 2);
+            for (int32_t x = 0; x < W; x++) {
+                row[2 * x + 1] = (uint8_t)(row[2 * x] >= 90 ? 128 : x % 2 ? 200 : 110);
+            }
+            digest_number(iris_follow_row(follow, row));
+        }
+        digest_number(iris_follow_end(&result, follow, (uint32_t)t * 33u));
+        digest_result(&result);
+    }
+}
+
 static void dark(void)
 {
     drive(NULL, -1, 1);
@@ -86,5 +119,6 @@ const digest_operation digest_follow[] = {
     {"follow.dark", dark},
     {"follow.bright", bright},
     {"follow.dark_in_color_frames", dark_in_color_frames},
+    {"follow.by_signature", by_signature},
     {NULL, NULL},
 };
