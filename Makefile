@@ -183,7 +183,7 @@ install: all ## installs headers, libraries, pkg-config file, tool and man page 
 	@for h in $(HEADERS); do install -D -m 644 include/$$h "$(INSTALL)/include/$$h" || exit 1; done
 	@for l in $(LIB) $(OSLIB); do install -D -m 644 $$l "$(INSTALL)/lib/$${l##*/}" || exit 1; done
 	@mkdir -p "$(INSTALL)/lib/pkgconfig"
-	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' 'Name: IRIS' \
+	@printf '%s\n' 'prefix=$(or $(PREFIX),$${pcfiledir}/../..)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' 'Name: IRIS' \
 	    'Description: machine vision in integers for small robots' 'Version: $(VERSION)' \
 	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris' \
 	    > "$(INSTALL)/lib/pkgconfig/iris.pc"

@@ -212,6 +212,11 @@ def main():
     options = parser.parse_args()
     import pictures
     from rows import ROWS
+    rows = [row for row in ROWS if options.only in row["name"]]
+    if not rows:
+        parser.error("no row has %r in its name" % options.only)
+    if not all(re.fullmatch(r"[1-9]\d*x[1-9]\d*", text) for text in options.sizes.split(",")):
+        parser.error("a size is WxH: %s" % options.sizes)
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     peers = [Side("", [python, os.path.join(HERE, "peers.py"), "--serve"]) for python in options.python]
     for peer in peers:
@@ -224,19 +229,18 @@ def main():
         pictures.make(folder, *size)
         print("%s, milliseconds, IRIS (%s) beside the best of %s" % (text, options.port, ", ".join(p.name for p in peers)))
         print(HEAD % ("", "IRIS", "OpenCV", "ratio", "goal", "", "the results"))
-        for row in ROWS:
-            if options.only in row["name"]:
-                progress(row["name"])
-                result = measure(row, folder, size, sides, options)
-                if result is None:
-                    print("%s: no OpenCV here has it" % row["name"])
-                    continue
-                if result["reached"] is False:
-                    result["profile"] = profile(result, sides[0], folder, size)
-                del result["pictures"]
-                progress("")
-                show(result)
-                results.append(result)
+        for row in rows:
+            progress(row["name"])
+            result = measure(row, folder, size, sides, options)
+            if result is None:
+                print("%s: no OpenCV here has it" % row["name"])
+                continue
+            if result["reached"] is False:
+                result["profile"] = profile(result, sides[0], folder, size)
+            del result["pictures"]
+            progress("")
+            show(result)
+            results.append(result)
     goals = [r for r in results if r["goal"]]
     print("%d of %d goals reached; %d of %d results agree" % (
         sum(r["reached"] for r in goals), len(goals), sum(r["agrees"] for r in results), len(results)))
