@@ -281,7 +281,8 @@ EMULATED := $(foreach p,$(filter sse avx2,$(PORTS)),$(if $(call cpu_lacks,$(CPU_
 native    = $(NATIVE) PORT=$(1) $(if $(filter $(1),$(EMULATED)),RUNNER="qemu-x86_64 -cpu max")
 $(eval $(call layer,house,,,$(NATIVE) verify-house))
 $(foreach p,$(PORTS),$(eval $(call layer,$(p),,$(CMOCKA_H) $(if $(filter $(p),$(EMULATED)),qemu-x86_64),$(call native,$(p)) verify-host)))
-$(foreach p,$(filter-out $(EMULATED),$(PORTS)),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHECKED=1 PORT=$(p) verify-host)))
+CHECKED_PORTS := generic $(filter-out generic $(EMULATED),$(filter $(PORT),$(PORTS)))
+$(foreach p,$(CHECKED_PORTS),$(eval $(call layer,$(p)-checked,,$(CMOCKA_H),$(NATIVE) CHECKED=1 PORT=$(p) verify-host)))
 $(eval $(call layer,lite,,$(CMOCKA_H),$(NATIVE) PROFILE=lite PORT=generic verify-lite verify-examples))
 $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/include/cmocka.h,$(A64) verify-host))
 $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
@@ -293,7 +294,7 @@ $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-ta
 $(eval $(call layer,cortex-m55,,arm-none-eabi-gcc qemu-system-arm,$(M55) verify-target verify-modules))
 $(eval $(call layer,size,layer-cortex-m0 layer-cortex-m4,arm-none-eabi-gcc qemu-system-arm,$(MAKE) -s CHECKED= verify-size))
 $(if $(FUZZ_SRC),$(eval $(call layer,fuzz,,clang $(CMOCKA_H),$(FUZZ_MAKE) verify-fuzz)))
-$(if $(EXAMPLES),$(eval $(call layer,examples,$(if $(filter $(PORT),$(filter-out $(EMULATED),$(PORTS))),layer-$(PORT)-checked),,$(NATIVE) CHECKED=1 verify-examples)))
+$(if $(EXAMPLES),$(eval $(call layer,examples,$(if $(filter $(PORT),$(CHECKED_PORTS)),layer-$(PORT)-checked),,$(NATIVE) CHECKED=1 verify-examples)))
 $(if $(SCRIPTS),$(eval $(call layer,scripts,$(if $(filter $(PORT),$(PORTS)),layer-$(PORT)),,$(NATIVE) verify-scripts)))
 QUICK := house $(PORT) lite
 
