@@ -14,8 +14,8 @@ PREFIX  ?= /usr/local
 DESTDIR ?=
 ARCH    ?=
 
-# What of a list this machine's processor lacks, as Linux names it; nothing where nobody can say.
-cpu_lacks = $(shell [ -r /proc/cpuinfo ] && for f in $(1); do grep -qw $$f /proc/cpuinfo || echo $$f; done)
+# What of a list this machine's processor lacks, as Linux names it; all of it where nobody can say.
+cpu_lacks = $(shell for f in $(1); do grep -qw $$f /proc/cpuinfo 2> /dev/null || echo $$f; done)
 CPU_sse   := ssse3 sse4_1 sse4_2
 CPU_avx2  := $(CPU_sse) avx2 bmi2 movbe abm
 
