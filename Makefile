@@ -4,6 +4,7 @@
 #                          CHECKED=1 (sanitizers)  OPT=-Os  PREFIX=/usr/local  DESTDIR=  IRIS_DATA=path  BUILD=folder  V=1 (whole commands)
 
 CC      := $(if $(filter default,$(origin CC)),$(CROSS_COMPILE)gcc,$(CC))
+CXX     := $(if $(filter default,$(origin CXX)),$(CROSS_COMPILE)g++,$(CXX))
 AR      := $(CROSS_COMPILE)ar
 TARGET  := $(shell $(CC) -dumpmachine)
 OS      ?= $(if $(findstring linux,$(TARGET)),linux,none)
@@ -59,6 +60,7 @@ endif
 # and may use floating point. Sanitizers enlarge frames, as other levels of optimization do, so frames are checked without.
 comma    := ,
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,$(if $(filter -O2 -Os,$(firstword $(OPT))),-Wframe-larger-than=1024)) -Werror -std=c99 -pedantic
+CXXWARN  := -Wall -Wextra -Wshadow -Werror -std=c++17
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 # MinGW's stat of 64 bits knows no folder by a name that ends with a slash.
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE $(if $(findstring mingw,$(TARGET)),,-D_FILE_OFFSET_BITS=64)
@@ -79,12 +81,23 @@ LDFLAGS  ?=
 BASE      = $(OPT) $(CFLAGS) $(SANITIZE) $(ARCH) -ffunction-sections -fdata-sections -MMD -MP
 INCLUDES := -Iinclude -Iport/cpu/$(PORT)
 
+# Libraries of the system that the shims use when pkg-config finds them; a cross build names its own PKG_CONFIG.
+# For each, a folder of port/os: named by the library's major version, 0 without it.
+PKG_CONFIG  ?= $(if $(CROSS_COMPILE),false,pkg-config)
+system_has   = $(if $(filter linux,$(OS)),$(shell $(PKG_CONFIG) --modversion $(1) 2> /dev/null))
+GPIOD       := $(call system_has,libgpiod)
+LIBCAMERA   := $(call system_has,libcamera)
+SHIMS       := gpiod$(or $(firstword $(subst ., ,$(GPIOD))),0) libcamera$(if $(LIBCAMERA),,0)
+SYSTEM_PKGS := $(if $(GPIOD),libgpiod) $(if $(LIBCAMERA),libcamera)
+SYSTEM_LIBS := $(if $(strip $(SYSTEM_PKGS)),$(shell $(PKG_CONFIG) --libs $(SYSTEM_PKGS)) $(if $(LIBCAMERA),-lstdc++))
+system_flags = $(if $(strip $(SYSTEM_PKGS)),$(shell $(PKG_CONFIG) --cflags $(SYSTEM_PKGS) | sed 's/-I/-isystem /g'))
+
 # What is made, by name; V=1 shows the whole commands, -s nothing.
 SAY = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '  $@')
 Q   = $(if $(V),,@)
 
 # One build folder per port, OS, profile, compiler and flags.
-FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) $(INTEGER) $(PORTISA) $(KERNELISA) $(LDFLAGS) $(SYSROOT)
+FLAGS := $(CC) $(shell $(CC) -dumpversion) $(BASE) $(WARN) $(USERWARN) $(POSIX) $(INTEGER) $(PORTISA) $(KERNELISA) $(LDFLAGS) $(SYSROOT) $(SHIMS) $(GPIOD) $(LIBCAMERA)
 KEY   := $(shell printf '%s' "$(FLAGS)" | cksum | cut -d' ' -f1)
 OUT   := $(BUILD)/$(PORT)-$(OS)-$(PROFILE)-$(TARGET)-$(KEY)
 HOST  := $(if $(CROSS_COMPILE),,yes)
@@ -95,12 +108,12 @@ EXE    := $(if $(filter windows,$(HOSTED)),.exe)
 include src/lite.mk
 CORE_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_SRC),$(wildcard src/foundation/*.c src/xt/*.c))
 PORT_SRC := $(wildcard $(PORTS_USED:%=port/cpu/%/*.c))
-OS_SRC   := $(wildcard port/os/$(OS)/*.c)
+OS_SRC   := $(wildcard port/os/$(OS)/*.c $(SHIMS:%=port/os/$(OS)/%/*.c) $(SHIMS:%=port/os/$(OS)/%/*.cpp))
 TOOL_SRC := $(if $(and $(HOSTED),$(filter full,$(PROFILE))),$(wildcard tools/iris/*.c tools/iris/$(OS)/*.c tools/iris/$(HOSTED)/*.c))
 
 CORE_OBJ := $(CORE_SRC:%.c=$(OUT)/%.o)
 PORT_OBJ := $(PORT_SRC:%.c=$(OUT)/%.o)
-OS_OBJ   := $(OS_SRC:%.c=$(OUT)/%.o)
+OS_OBJ   := $(patsubst %,$(OUT)/%.o,$(basename $(OS_SRC)))
 TOOL_OBJ := $(TOOL_SRC:%.c=$(OUT)/%.o)
 
 LIB    := $(OUT)/libiris.a
@@ -139,7 +152,7 @@ $(OUT)/libiris-$(OS).a: $(OS_OBJ) $(OUT)/members
 
 $(OUT)/iris$(EXE): $(TOOL_OBJ) $(OSLIB) $(LIB)
 	$(SAY)
-	$(Q)$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) -lm
+	$(Q)$(CC) $(BASE) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) $(SYSTEM_LIBS) -lm
 
 $(OUT)/src/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -157,7 +170,12 @@ $(OUT)/port/cpu/%.o: port/cpu/%.c
 $(OUT)/port/os/%.o: port/os/%.c
 	@mkdir -p $(@D)
 	$(SAY)
-	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) $(POSIX) -fstack-usage -c -o $@ $<
+	$(Q)$(CC) $(WARN) $(BASE) $(INTEGER) $(INCLUDES) $(POSIX) $(system_flags) -fstack-usage -c -o $@ $<
+
+$(OUT)/port/os/%.o: port/os/%.cpp
+	@mkdir -p $(@D)
+	$(SAY)
+	$(Q)$(CXX) $(CXXWARN) $(BASE) $(INCLUDES) $(POSIX) $(system_flags) -c -o $@ $<
 
 $(OUT)/tools/%.o: tools/%.c
 	@mkdir -p $(@D)
@@ -170,7 +188,7 @@ examples: $(EXAMPLES) ## builds every program under examples/
 $(OUT)/examples/%$(EXE): examples/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
-	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS)
+	$(Q)$(CC) $(USERWARN) $(BASE) -Iinclude $(POSIX) -o $@ $(filter %.c %.o %.a,$^) $(LDFLAGS) $(SYSTEM_LIBS)
 
 include tests/tests.mk
 include $(wildcard tools/*/*.mk)
@@ -185,7 +203,7 @@ install: all ## installs headers, libraries, pkg-config file, tool and man page 
 	@mkdir -p "$(INSTALL)/lib/pkgconfig"
 	@printf '%s\n' 'prefix=$(or $(PREFIX),$${pcfiledir}/../..)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' 'Name: IRIS' \
 	    'Description: machine vision in integers for small robots' 'Version: $(VERSION)' \
-	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris' \
+	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris$(if $(SYSTEM_LIBS), $(SYSTEM_LIBS))' \
 	    > "$(INSTALL)/lib/pkgconfig/iris.pc"
 	$(if $(TOOL),@install -D -m 755 $(TOOL) "$(INSTALL)/bin/iris$(EXE)")
 	$(if $(TOOL),@install -D -m 644 tools/iris/iris.1 "$(INSTALL)/share/man/man1/iris.1")

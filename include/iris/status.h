@@ -23,7 +23,8 @@ typedef enum {
     IRIS_ERR_IO,          /* the caller's source or sink reported a failure */
     IRIS_ERR_DATA,        /* the input contradicts its own format */
     IRIS_ERR_UNSUPPORTED, /* the input is well formed, but of a kind that is not read */
-    IRIS_ERR_END          /* nothing more: the input ended where it may end */
+    IRIS_ERR_END,         /* nothing more: the input ended where it may end */
+    IRIS_ERR_TIMEOUT      /* nothing came within the time given */
 } iris_status;
 
 /* A short English sentence for a status, such as "working memory too small". Never null; static storage. */

@@ -29,6 +29,8 @@ const char *iris_status_text(iris_status status)
         return "kind of file not supported";
     case IRIS_ERR_END:
         return "end of input";
+    case IRIS_ERR_TIMEOUT:
+        return "nothing came in time";
     }
     return "unknown status";
 }
