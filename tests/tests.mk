@@ -6,6 +6,7 @@
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each; tests/target/bridge runs the host's tests there
 #   tests/fuzz/*.c                           libFuzzer, one target each
+#   tests/rig/guest/*.sh                     run in a virtual machine with real drivers (tests/rig/boot), and tests/linux there
 #   tests/check_*.sh                         the rules of the house; any other tests/*.sh is run with the host's tool
 
 ifdef IRIS_DATA
@@ -204,6 +205,20 @@ verify-fuzz: $(FUZZ_BIN)
 	@tests/fuzz/run -runs=$(FUZZ_RUNS) $^
 .PHONY: fuzz fuzz-long verify-fuzz
 
+# --- Linux: an arm64 kernel with real drivers in QEMU, which tests/rig/prepare makes and tests/rig/boot starts ---
+
+RIG_BIN    := $(patsubst tests/%.c,$(OUT)/tests/%,$(wildcard tests/linux/*.c))
+RIG_LIST   := tests/rig/guest/rig.sh $(RIG_BIN) $(filter-out %/rig.sh,$(wildcard tests/rig/guest/*.sh))
+RIG_GPIO   := $(filter $(OUT)/tests/linux/gpio% tests/rig/guest/gpio%,$(RIG_LIST))
+verify-rig: all $(RIG_BIN)
+	@tests/rig/boot $(RIG) $(OUT) $(RIG_LIST)
+verify-rig-gpio: all $(filter $(RIG_BIN),$(RIG_GPIO))
+	@tests/rig/boot $(RIG) $(OUT) $(RIG_GPIO)
+RUN ?= tests/rig/guest/rig.sh
+run-rig: all $(patsubst tests/%.c,$(OUT)/tests/%,$(filter %.c,$(RUN)))
+	@tests/rig/boot $(RIG) $(OUT) $(patsubst tests/%.c,$(OUT)/tests/%,$(RUN))
+.PHONY: verify-rig verify-rig-gpio run-rig
+
 # --- checks of the sources, examples, and the scripts of tests/*.sh ---
 
 verify-house:
@@ -249,6 +264,15 @@ BIG      := $(MAKE) -s CHECKED= CC=s390x-linux-gnu-gcc CROSS_COMPILE=s390x-linux
             LEFT_OUT="check_kernels hsl xt/birdseye xt/blur xt/edge xt/floor xt/hough_circle xt/hough_directed xt/hough_shape \
                       xt/shape_match" \
             RUNNER="qemu-s390x -L /usr/s390x-linux-gnu -E LD_LIBRARY_PATH=$(BIG_ROOT)/usr/lib/s390x-linux-gnu"
+# In the virtual machine. Its root is the sysroot, with libgpiod of API 1; libgpiod of API 2 lies in a folder of its own.
+# Libraries there need others, in two folders.
+RIG      := $(CACHE)/rig
+RIG_NEEDS := aarch64-linux-gnu-gcc qemu-system-aarch64 python3 cpio $(RIG)/made-$(shell sed -n 's/^recipe=//p' tests/rig/prepare)
+on_rig    = $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-linux-gnu- SYSROOT=$(RIG)/root OS=linux PORT=neon \
+            LDFLAGS="$(patsubst %,-Wl$(comma)-rpath-link$(comma)$(RIG)/root%lib/aarch64-linux-gnu,/usr/ /)" \
+            PKG_CONFIG="env PKG_CONFIG_SYSROOT_DIR=$(RIG)/root PKG_CONFIG_LIBDIR=$(1)$(RIG)/root/usr/lib/aarch64-linux-gnu/pkgconfig pkg-config"
+ON_RIG   := $(call on_rig)
+ON_RIG_2 := $(call on_rig,$(RIG)/root/opt/gpiod2/lib/pkgconfig:)
 # Windows. The first program that Wine runs here makes a folder in the cache, which takes a while.
 WIN_ROOT := $(CACHE)/windows
 WINE     := /usr/lib/wine/wine64
@@ -288,6 +312,9 @@ $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/
 $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
 $(eval $(call layer,windows,,x86_64-w64-mingw32-gcc $(WINE) $(WIN_ROOT)/usr/include/cmocka.h,$(WIN) verify-windows))
 $(eval $(call layer,big-endian,,s390x-linux-gnu-gcc qemu-s390x $(BIG_ROOT)/usr/include/cmocka.h,$(BIG) verify-host))
+$(eval $(call layer,linux,,$(RIG_NEEDS),$(ON_RIG) verify-rig))
+$(eval $(call layer,linux-checked,,$(RIG_NEEDS),$(ON_RIG) CHECKED=1 verify-rig))
+$(if $(RIG_GPIO),$(eval $(call layer,linux-gpiod2,,$(RIG_NEEDS) $(RIG)/root/opt/gpiod2,$(ON_RIG_2) verify-rig-gpio)))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m7,,arm-none-eabi-gcc qemu-system-arm,$(M7) verify-modules))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target verify-modules))
@@ -315,7 +342,18 @@ test-quick: ## runs the rules of the house and this port's tests, in about a min
 	+@$(MAKE) --no-print-directory $(JOBS) $(QUICK:%=layer-%)
 	@tests/tally $(QUICK:%=$(TAP)/%.tap)
 
-deps: ## installs what the tests need: Debian packages by apt, and CMocka for other processors in the cache folder
+LINUX_LAYERS := $(filter linux linux-%,$(LAYERS))
+test-linux: | $(filter deps,$(MAKECMDGOALS))
+test-linux: ## runs the tests of cameras, GPIO, and serial ports on real drivers, in a virtual machine
+	@rm -f $(LINUX_LAYERS:%=$(TAP)/%.tap)
+	+@$(MAKE) --no-print-directory $(JOBS) $(LINUX_LAYERS:%=layer-%)
+	@tests/tally $(LINUX_LAYERS:%=$(TAP)/%.tap)
+
+rig: ## runs there what RUN names, such as "tests/linux/serial.c tests/rig/guest/rig.sh", and prints all that it says
+	+@$(if $(GPIOD2),$(ON_RIG_2),$(ON_RIG)) CHECKED=$(CHECKED) RUN="$(RUN)" run-rig
+.PHONY: test-linux rig
+
+deps: ## installs what the tests need: Debian packages by apt; CMocka for other processors and a virtual machine in the cache folder
 	@tests/deps $(CACHE)
 
 SOURCES = $(shell find src include port tools examples tests -name '*.[ch]' | sort)
