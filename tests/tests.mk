@@ -145,7 +145,7 @@ $(OUT)/unity.o: $(UNITY_SRC)/unity.c
 MODULE_SRC := $(filter-out tests/check_kernels.c tests/random_calls.c tests/bmp_suite.c,$(wildcard tests/*.c tests/xt/*.c))
 MODULE_LARGE := xt/blob xt/blob_shape# take 24 MB
 MODULE_SLOW_mps2-an500 := hsl xt/birdseye xt/blur xt/contour xt/edge xt/floor# minutes under an emulator: the M55 runs them
-MODULE_ONLY_microbit   := border command fixed image nv12 stream wide xt/floor_text xt/follow_signature xt/hitmiss \
+MODULE_ONLY_microbit   := border command differential fixed image indicator nv12 pwm stream watchdog wide xt/floor_text xt/follow_signature xt/hitmiss \
                           xt/junction_latch xt/pursuit xt/steer xt/votes
 MODULE_NAMES := $(or $(MODULE_ONLY_$(MACHINE)),$(filter-out $(MODULE_SLOW_$(MACHINE)),$(MODULE_SRC:tests/%.c=%)))
 MODULE     := $(patsubst %,$(OUT)/module/%.elf,$(filter-out $(MODULE_LARGE),$(MODULE_NAMES)))
