@@ -236,12 +236,13 @@ SCRIPTS := $(filter-out tests/check_%,$(wildcard tests/*.sh))
 verify-scripts: all
 	@tests/programs $(SCRIPTS)
 
-# Windows programs, run by Wine: the server stays between them, so that none meets the end of the last one's.
+# Windows programs, run by Wine: its server stays between them, so that none meets the end of the last one's. It needs the
+# folder, which Wine itself would make later.
 WINE_SCRIPTS := tests/tool.sh tests/tool_blobs.sh tests/tool_lock.sh tests/tool_pyramid.sh
 $(OUT)/wine-iris: $(TOOL)
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(RUNNER)' '$(abspath $(TOOL))' > $@ && chmod +x $@
 verify-windows: all $(OUT)/wine-iris
-	@$(dir $(RUNNER))wineserver64 -p60 || true
+	@mkdir -p "$$WINEPREFIX" && { $(dir $(RUNNER))wineserver64 -p300 || true; }
 	+@$(MAKE) -s verify-host
 	@RUNNER= IRIS=$(OUT)/wine-iris NOT_HERE=tests/not_on_windows tests/programs $(WINE_SCRIPTS)
 .PHONY: verify-house verify-examples verify-scripts verify-windows
