@@ -1,4 +1,5 @@
 /* The floor that fits marks best: see floor.h for the method. */
+#include "../foundation/triangle.h"
 #include "floor_parts.h"
 
 #define UNKNOWNS 8
@@ -19,16 +20,11 @@ typedef struct {
     iris_q32 x, y, u, v;
 } pair;
 
-/* The upper triangle of the equations so far, and their right side: row j has the columns j to UNKNOWNS. */
+/* What is known of the unknowns so far. */
 typedef struct {
-    iris_q32 numbers[UNKNOWNS * (UNKNOWNS + 3) / 2];
+    iris_triangle triangle;
+    iris_q32 numbers[IRIS_TRIANGLE_NUMBERS(UNKNOWNS)];
 } equations;
-
-/* Where column 0 of row j would be. */
-static int start_of(int j)
-{
-    return j * UNKNOWNS - j * (j - 1) / 2;
-}
 
 typedef struct {
     const iris_floor_mark *marks;
@@ -143,64 +139,6 @@ static int in_line(const problem *of, int of_image)
     return thin;
 }
 
-/* (a p + b q) / 2^30 */
-static iris_q32 turned(iris_q30 a, iris_q32 p, iris_q30 b, iris_q32 q)
-{
-    return iris_wide_round_shift_sat(iris_wide_add(iris_wide_mul(a, p), iris_wide_mul(b, q)), 30);
-}
-
-/* Cosine and sine of the turn that brings (a, b) onto the first axis. */
-static void turn_onto(iris_q30 *cosine, iris_q30 *sine, iris_q32 a, iris_q32 b)
-{
-    int64_t larger = magnitude(a) > magnitude(b) ? magnitude(a) : magnitude(b);
-    int shift = iris_wide_bits(iris_wide_from(larger)) - 30;
-    if (shift > 0) {
-        a = iris_round_shift(a, shift);
-        b = iris_round_shift(b, shift);
-    } else {
-        a *= (int64_t)1 << -shift;
-        b *= (int64_t)1 << -shift;
-    }
-    int32_t length = (int32_t)iris_hypot((int32_t)a, (int32_t)b);
-    *cosine = iris_q30_div((int32_t)a, length);
-    *sine = iris_q30_div((int32_t)b, length);
-}
-
-/* One more equation: row[0..7] times the unknowns is row[8]. Destroys it. */
-static void equations_add(equations *e, iris_q32 row[UNKNOWNS + 1])
-{
-    for (int j = 0; j < UNKNOWNS; j++) {
-        iris_q32 *kept = e->numbers + start_of(j);
-        iris_q30 cosine, sine;
-        if (row[j] == 0) {
-            continue;
-        }
-        turn_onto(&cosine, &sine, kept[j], row[j]);
-        for (int k = j; k <= UNKNOWNS; k++) {
-            iris_q32 was = kept[k];
-            kept[k] = turned(cosine, was, sine, row[k]);
-            row[k] = turned(cosine, row[k], -sine, was);
-        }
-    }
-}
-
-/* Returns 0 when there is no one solution. */
-static int equations_solve(iris_q32 solution[UNKNOWNS], const equations *e)
-{
-    for (int i = UNKNOWNS - 1; i >= 0; i--) {
-        const iris_q32 *row = e->numbers + start_of(i);
-        iris_wide sum = iris_wide_mul(row[UNKNOWNS], IRIS_Q32_ONE);
-        if (row[i] < SINGULAR && row[i] > -SINGULAR) {
-            return 0;
-        }
-        for (int k = i + 1; k < UNKNOWNS; k++) {
-            sum = iris_wide_sub(sum, iris_wide_mul(row[k], solution[k]));
-        }
-        solution[i] = iris_wide_div_sat(sum, row[i]);
-    }
-    return 1;
-}
-
 static iris_q32 linear(const iris_q32 row[2], iris_q32 one, const pair *at)
 {
     iris_wide sum = iris_wide_add(iris_wide_mul(row[0], at->x), iris_wide_mul(row[1], at->y));
@@ -231,26 +169,26 @@ static void add_coordinate(equations *e, const pair *at, int first, iris_q32 t, 
     row[6] = -iris_q32_mul_sat(t, x);
     row[7] = -iris_q32_mul_sat(t, y);
     row[UNKNOWNS] = right;
-    equations_add(e, row);
+    iris_triangle_add(&e->triangle, row);
 }
 
 /* The first solution, which makes algebraic errors least. */
 static int solve_linear(iris_q32 h[UNKNOWNS], equations *e, const problem *of)
 {
-    *e = (equations){{0}};
+    iris_triangle_init(&e->triangle, e->numbers, UNKNOWNS);
     for (int32_t i = 0; i < of->count; i++) {
         pair at = pair_of(of, i);
         add_coordinate(e, &at, 0, at.u, IRIS_Q32_ONE, at.u);
         add_coordinate(e, &at, 3, at.v, IRIS_Q32_ONE, at.v);
     }
-    return equations_solve(h, e);
+    return iris_triangle_solve(h, &e->triangle, SINGULAR);
 }
 
 /* The sum of squared distances in the picture, and in *e the step that makes it smaller. -1: a mark is behind the camera. */
 static int64_t linearize(equations *e, const iris_q32 h[UNKNOWNS], const problem *of)
 {
     int64_t sum = 0;
-    *e = (equations){{0}};
+    iris_triangle_init(&e->triangle, e->numbers, UNKNOWNS);
     for (int32_t i = 0; i < of->count; i++) {
         pair at = pair_of(of, i), put;
         iris_q32 w;
@@ -273,7 +211,8 @@ static int refine(iris_q32 h[UNKNOWNS], equations *e, const problem *of)
 {
     iris_q32 better[UNKNOWNS], step[UNKNOWNS];
     int64_t least = linearize(e, h, of);
-    for (int round = 0; least > 0 && round < ROUNDS && equations_solve(step, e); round++) {
+    for (int round = 0; least > 0 && round < ROUNDS && iris_triangle_solve(step, &e->triangle, SINGULAR);
+         round++) {
         for (int i = 0; i < UNKNOWNS; i++) {
             better[i] =
                 iris_wide_round_shift_sat(iris_wide_add(iris_wide_from(h[i]), iris_wide_from(step[i])), 0);
