@@ -6,7 +6,7 @@
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each; tests/target/bridge runs the host's tests there
 #   tests/fuzz/*.c                           libFuzzer, one target each
-#   tests/rig/guest/*.sh                     run in a virtual machine with real drivers (tests/rig/boot), and tests/linux there
+#   tests/rig/guest/*.c *.sh                 run in a virtual machine with real drivers (tests/rig/boot); so does tests/linux
 #   tests/check_*.sh                         the rules of the house; any other tests/*.sh is run with the host's tool
 
 ifdef IRIS_DATA
@@ -207,9 +207,9 @@ verify-fuzz: $(FUZZ_BIN)
 
 # --- Linux: an arm64 kernel with real drivers in QEMU, which tests/rig/prepare makes and tests/rig/boot starts ---
 
-RIG_BIN    := $(patsubst tests/%.c,$(OUT)/tests/%,$(wildcard tests/linux/*.c))
+RIG_BIN    := $(patsubst tests/%.c,$(OUT)/tests/%,$(wildcard tests/linux/*.c tests/rig/guest/*.c))
 RIG_LIST   := tests/rig/guest/rig.sh $(RIG_BIN) $(filter-out %/rig.sh,$(wildcard tests/rig/guest/*.sh))
-RIG_GPIO   := $(filter $(OUT)/tests/linux/gpio% tests/rig/guest/gpio%,$(RIG_LIST))
+RIG_GPIO   := $(filter $(OUT)/tests/linux/gpio% $(OUT)/tests/rig/guest/gpio% tests/rig/guest/gpio%,$(RIG_LIST))
 verify-rig: all $(RIG_BIN)
 	@tests/rig/boot $(RIG) $(OUT) $(RIG_LIST)
 verify-rig-gpio: all $(filter $(RIG_BIN),$(RIG_GPIO))
@@ -350,7 +350,7 @@ test-linux: ## runs the tests of cameras, GPIO, and serial ports on real drivers
 	+@$(MAKE) --no-print-directory $(JOBS) $(LINUX_LAYERS:%=layer-%)
 	@tests/tally $(LINUX_LAYERS:%=$(TAP)/%.tap)
 
-rig: ## runs there what RUN names, such as "tests/linux/serial.c tests/rig/guest/rig.sh", and prints all that it says
+rig: ## runs there what RUN names, such as "tests/rig/guest/rig.sh tests/rig/guest/serial_ports.c", and prints all that it says
 	+@$(if $(GPIOD2),$(ON_RIG_2),$(ON_RIG)) CHECKED=$(CHECKED) RUN="$(RUN)" run-rig
 .PHONY: test-linux rig
 

@@ -65,6 +65,7 @@ static iris_status try_open(iris_serial *serial, uint32_t now_ms)
         return IRIS_ERR_IO;
     }
     int error = configure(handle, speed_of(serial->baud));
+    error = error == EIO ? ENXIO : error; /* a node that no hardware stands behind opens, too */
     if (error != 0) {
         serial->error = error;
         (void)close(handle);

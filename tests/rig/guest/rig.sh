@@ -58,4 +58,11 @@ rig unplug && [ ! -e "$RIG_USB_SERIAL" ]; say $? "unplugged, the node is gone"
 rig unplug 2> err; [ $? -eq 1 ] && grep -q usb0 err; say $? "unplugging twice is an error"
 rig plug && [ -c "$RIG_USB_SERIAL" ]; say $? "plugged, the node is back"
 crosses usb "$RIG_USB_SERIAL"
-! echo 2> /dev/null > "$RIG_BARE_SERIAL"; say $? "the port without hardware refuses"
+! (echo > "$RIG_BARE_SERIAL") 2> /dev/null; say $? "the port without hardware refuses"
+
+cameras() { # the names of vivid's nodes
+    cat /sys/class/video4linux/video*/name | grep vivid | sort | tr '\n' ' '
+}
+before=$(cameras)
+rig vivid n_devs=1 node_types=0x1 && [ "$(cameras)" = "vivid-000-vid-cap " ]; say $? "vivid with other parameters"
+rig vivid && [ "$(cameras)" = "$before" ]; say $? "vivid as before"
