@@ -135,8 +135,9 @@ iris_status iris_capture_open(iris_capture *capture, iris_capture_source source,
 
 /* Borrows the next frame, and waits for it at most timeout_ms (0 or more) and what one attempt to open takes.
  * IRIS_ERR_TIMEOUT: none came; IRIS_ERR_IO: the source is away, or came back as something else than was granted; the
- * next calls go on trying; IRIS_ERR_END: a recording is over; IRIS_ERR_FULL: all frames but one are borrowed; IRIS_ERR_ARG:
- * null pointer, negative time, or not open. *frame is written with IRIS_OK only. O(1) without the wait. */
+ * next calls go on trying; IRIS_ERR_END: a recording is over, IRIS_ERR_TRUNCATED: broken, and over; IRIS_ERR_FULL: all
+ * frames but one are borrowed; IRIS_ERR_ARG: null pointer, negative time, or not open. *frame is written with IRIS_OK
+ * only. O(1) without the wait. */
 iris_status iris_capture_next(iris_frame *frame, iris_capture *capture, int32_t timeout_ms);
 
 /* Gives a frame back; its views are gone then. In any order.
@@ -162,7 +163,8 @@ struct iris_capture_driver {
                         const iris_capture_config *wanted);
     iris_status (*start)(void *device);
     /* The next frame that waits, in order, its sequence by the source's own count of 32 bits. IRIS_ERR_DATA: it is damaged,
-     * frame->sequence is set, and it is not borrowed. IRIS_ERR_IO: the stream broke. */
+     * frame->sequence is set, and it is not borrowed. IRIS_ERR_IO: the stream broke. IRIS_ERR_END, IRIS_ERR_TRUNCATED:
+     * there is nothing more, now and later. */
     iris_status (*take)(void *device, iris_frame *frame, int32_t timeout_ms);
     iris_status (*give)(void *device, int32_t buffer);
     /* Frames may still be borrowed: their memory stays, and they are given back later. */
