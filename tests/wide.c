@@ -242,6 +242,29 @@ static void quotients_are_the_nearest(void **state)
     assert_true(iris_q32_mul_sat(INT64_MIN, INT64_MIN) == INT64_MAX);
 }
 
+static void roots_are_the_largest(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 300000; i++) {
+        int64_t low = (int64_t)(random_u64() >> (2 + random_u64() % 62)),
+                high = i % 4 ? (int64_t)(random_u64() >> (4 + random_u64() % 60)) : 0;
+        iris_wide a = {high, (uint64_t)low << i % 3};
+        int64_t root = iris_wide_sqrt(a);
+        assert_true(root >= 0);
+        assert_true(iris_wide_sub(a, iris_wide_mul(root, root)).high >= 0);
+        assert_true(iris_wide_sub(a, iris_wide_mul(root + 1, root + 1)).high < 0);
+    }
+    for (int64_t root = 0; root < 70000; root++) {
+        assert_true(iris_wide_sqrt(iris_wide_mul(root, root)) == root);
+        assert_true(iris_wide_sqrt(iris_wide_sub(iris_wide_mul(root + 1, root + 1), iris_wide_from(1))) ==
+                    root);
+    }
+    assert_true(iris_wide_sqrt((iris_wide){((int64_t)1 << 60) - 1, UINT64_MAX}) == ((int64_t)1 << 62) - 1);
+    assert_true(iris_wide_sqrt((iris_wide){-1, 5}) == 0);
+    assert_true(iris_q32_sqrt(2 * IRIS_Q32_ONE) == 6074000999); /* 1.41421356 */
+    assert_true(iris_q32_sqrt(-1) == 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -251,6 +274,7 @@ int main(void)
         cmocka_unit_test(products_and_sums_are_exact),
         cmocka_unit_test(shifts_round_half_up_and_saturate),
         cmocka_unit_test(quotients_are_the_nearest),
+        cmocka_unit_test(roots_are_the_largest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

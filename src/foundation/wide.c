@@ -1,5 +1,7 @@
 #include "iris/wide.h"
 
+#include "iris/fixed.h"
+
 #define LOW32 0xFFFFFFFFu
 
 static uint64_t magnitude(int64_t value)
@@ -87,4 +89,28 @@ int64_t iris_wide_div_sat(iris_wide a, int64_t b)
         return negative ? INT64_MIN : INT64_MAX;
     }
     return negative ? -(int64_t)quotient : (int64_t)quotient;
+}
+
+/* root^2 > a */
+static int above_root(int64_t root, iris_wide a)
+{
+    return iris_wide_sub(a, iris_wide_mul(root, root)).high < 0;
+}
+
+int64_t iris_wide_sqrt(iris_wide a)
+{
+    int shift = (iris_wide_bits(a) - 61) / 2; /* half of what brings a below 2^63 */
+    if (a.high < 0 || (a.high == 0 && a.low == 0)) {
+        return 0;
+    }
+    if (shift <= 0) {
+        return (int64_t)iris_sqrt_u64(a.low);
+    }
+    int64_t top = iris_wide_round_shift_sat(a, 2 * shift);
+    int64_t near = (int64_t)iris_sqrt_u64((uint64_t)top) << shift; /* 30 bits of it are right */
+    int64_t root = near / 2 + iris_wide_div_sat(a, near) / 2 + 1;  /* twice as many, by Newton */
+    while (above_root(root, a)) {
+        root--;
+    }
+    return root;
 }
