@@ -30,7 +30,7 @@ CMOCKA   := $(CMOCKAINC) $(if $(SYSROOT),-L$(SYSROOT)/usr/lib/$(CROSS_COMPILE:%-
 $(OUT)/tests/%$(EXE): tests/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
-	$(Q)$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS) $(CMOCKA) $(SYSTEM_LIBS) -lm
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TESTINC) $(POSIX) -o $@ $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS) $(SYSTEM_LIBS) $(CMOCKA) -lm
 
 $(OUT)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
