@@ -60,7 +60,7 @@ endif
 # and may use floating point. Sanitizers enlarge frames, as other levels of optimization do, so frames are checked without.
 comma    := ,
 WARN     := -Wall -Wextra -Wconversion -Wshadow -Wvla $(if $(CHECKED),,$(if $(filter -O2 -Os,$(firstword $(OPT))),-Wframe-larger-than=1024)) -Werror -std=c99 -pedantic
-CXXWARN  := -Wall -Wextra -Wshadow -Werror -std=c++17
+CXXWARN  := -Wall -Wextra -Wconversion -Wshadow -Werror -std=c++17
 USERWARN := -Wall -Wextra -Wshadow -Wvla -Werror -std=c99 -pedantic
 # MinGW's stat of 64 bits knows no folder by a name that ends with a slash.
 POSIX    := -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE $(if $(findstring mingw,$(TARGET)),,-D_FILE_OFFSET_BITS=64)
@@ -86,10 +86,10 @@ INCLUDES := -Iinclude -Iport/cpu/$(PORT)
 PKG_CONFIG  ?= $(if $(CROSS_COMPILE),false,pkg-config)
 system_has   = $(if $(filter linux,$(OS)),$(shell $(PKG_CONFIG) --modversion $(1) 2> /dev/null))
 GPIOD       := $(call system_has,libgpiod)
-LIBCAMERA   := $(call system_has,libcamera)
+LIBCAMERA   := $(if $(shell command -v $(CXX)),$(call system_has,libcamera))
 SHIMS       := gpiod$(or $(firstword $(subst ., ,$(GPIOD))),0) libcamera$(if $(LIBCAMERA),,0)
 SYSTEM_PKGS := $(if $(GPIOD),libgpiod) $(if $(LIBCAMERA),libcamera)
-SYSTEM_LIBS := $(if $(strip $(SYSTEM_PKGS)),$(shell $(PKG_CONFIG) --libs $(SYSTEM_PKGS)) $(if $(LIBCAMERA),-lstdc++))
+SYSTEM_LIBS := $(if $(strip $(SYSTEM_PKGS)),-Wl$(comma)--as-needed $(shell $(PKG_CONFIG) --libs $(SYSTEM_PKGS)) $(if $(LIBCAMERA),-lstdc++))
 system_flags = $(if $(strip $(SYSTEM_PKGS)),$(shell $(PKG_CONFIG) --cflags $(SYSTEM_PKGS) | sed 's/-I/-isystem /g'))
 
 # What is made, by name; V=1 shows the whole commands, -s nothing.
@@ -108,16 +108,20 @@ EXE    := $(if $(filter windows,$(HOSTED)),.exe)
 include src/lite.mk
 CORE_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_SRC),$(wildcard src/foundation/*.c src/xt/*.c))
 PORT_SRC := $(wildcard $(PORTS_USED:%=port/cpu/%/*.c))
-OS_SRC   := $(wildcard port/os/$(OS)/*.c $(SHIMS:%=port/os/$(OS)/%/*.c) $(SHIMS:%=port/os/$(OS)/%/*.cpp))
+OS_SRC   := $(wildcard port/os/$(OS)/*.c $(SHIMS:%=port/os/$(OS)/%/*.c))
+# C++ allocates: in an archive of its own, so that the promises of the other ones stay whole.
+CXX_SRC  := $(if $(LIBCAMERA),$(wildcard port/os/$(OS)/libcamera/*.cpp))
 TOOL_SRC := $(if $(and $(HOSTED),$(filter full,$(PROFILE))),$(wildcard tools/iris/*.c tools/iris/$(OS)/*.c tools/iris/$(HOSTED)/*.c))
 
 CORE_OBJ := $(CORE_SRC:%.c=$(OUT)/%.o)
 PORT_OBJ := $(PORT_SRC:%.c=$(OUT)/%.o)
-OS_OBJ   := $(patsubst %,$(OUT)/%.o,$(basename $(OS_SRC)))
+OS_OBJ   := $(OS_SRC:%.c=$(OUT)/%.o)
+CXX_OBJ  := $(CXX_SRC:%.cpp=$(OUT)/%.o)
 TOOL_OBJ := $(TOOL_SRC:%.c=$(OUT)/%.o)
 
 LIB    := $(OUT)/libiris.a
-OSLIB  := $(if $(OS_SRC),$(OUT)/libiris-$(OS).a)
+CXXLIB := $(if $(CXX_SRC),$(OUT)/libiris-libcamera.a)
+OSLIB  := $(CXXLIB) $(if $(OS_SRC),$(OUT)/libiris-$(OS).a)
 TOOL   := $(if $(TOOL_SRC),$(OUT)/iris$(EXE))
 
 .PHONY: all help lib examples install uninstall clean
@@ -135,8 +139,8 @@ help: ## prints this text
 # The list of objects: an archive is made anew when a source has come or gone.
 $(OUT)/members: FORCE
 	@mkdir -p $(@D)
-	@echo "$(CORE_OBJ) $(PORT_OBJ) $(OS_OBJ) $(TOOL_OBJ)" | cmp -s - $@ || \
-	    echo "$(CORE_OBJ) $(PORT_OBJ) $(OS_OBJ) $(TOOL_OBJ)" > $@
+	@echo "$(CORE_OBJ) $(PORT_OBJ) $(OS_OBJ) $(CXX_OBJ) $(TOOL_OBJ)" | cmp -s - $@ || \
+	    echo "$(CORE_OBJ) $(PORT_OBJ) $(OS_OBJ) $(CXX_OBJ) $(TOOL_OBJ)" > $@
 FORCE:
 .PHONY: FORCE
 
@@ -146,6 +150,11 @@ $(LIB): $(CORE_OBJ) $(PORT_OBJ) $(OUT)/members
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
 $(OUT)/libiris-$(OS).a: $(OS_OBJ) $(OUT)/members
+	@rm -f $@
+	$(SAY)
+	$(Q)$(AR) rcs $@ $(filter %.o,$^)
+
+$(OUT)/libiris-libcamera.a: $(CXX_OBJ) $(OUT)/members
 	@rm -f $@
 	$(SAY)
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
@@ -175,7 +184,7 @@ $(OUT)/port/os/%.o: port/os/%.c
 $(OUT)/port/os/%.o: port/os/%.cpp
 	@mkdir -p $(@D)
 	$(SAY)
-	$(Q)$(CXX) $(CXXWARN) $(BASE) $(INCLUDES) $(POSIX) $(system_flags) -c -o $@ $<
+	$(Q)$(CXX) $(CXXWARN) $(BASE) $(INCLUDES) $(POSIX) $(system_flags) -fstack-usage -c -o $@ $<
 
 $(OUT)/tools/%.o: tools/%.c
 	@mkdir -p $(@D)
@@ -203,14 +212,14 @@ install: all ## installs headers, libraries, pkg-config file, tool and man page 
 	@mkdir -p "$(INSTALL)/lib/pkgconfig"
 	@printf '%s\n' 'prefix=$(or $(PREFIX),$${pcfiledir}/../..)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' 'Name: IRIS' \
 	    'Description: machine vision in integers for small robots' 'Version: $(VERSION)' \
-	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(if $(OSLIB),-liris-$(OS) )-liris$(if $(SYSTEM_LIBS), $(SYSTEM_LIBS))' \
+	    'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(patsubst lib%.a,-l%,$(notdir $(OSLIB))) -liris$(if $(SYSTEM_LIBS), $(SYSTEM_LIBS))' \
 	    > "$(INSTALL)/lib/pkgconfig/iris.pc"
 	$(if $(TOOL),@install -D -m 755 $(TOOL) "$(INSTALL)/bin/iris$(EXE)")
 	$(if $(TOOL),@install -D -m 644 tools/iris/iris.1 "$(INSTALL)/share/man/man1/iris.1")
 
 uninstall: ## removes what install put there
 	rm -rf "$(INSTALL)/include/iris"
-	rm -f "$(INSTALL)/lib/libiris.a" "$(INSTALL)/lib/libiris-$(OS).a" "$(INSTALL)/lib/pkgconfig/iris.pc"
+	rm -f "$(INSTALL)/lib/libiris.a" "$(INSTALL)/lib/libiris-$(OS).a" "$(INSTALL)/lib/libiris-libcamera.a" "$(INSTALL)/lib/pkgconfig/iris.pc"
 	rm -f "$(INSTALL)/bin/iris$(EXE)" "$(INSTALL)/share/man/man1/iris.1"
 
 clean: ## removes the build folder

@@ -2,7 +2,7 @@
 # check_layers.sh : who includes whom. Every #include "..." is resolved to a file, every file has a layer, and only the
 # arrows below are allowed; src/, include/ and port/cpu take a few standard headers and no other. A port overrides what
 # kernel.h declares: a misspelt name compiles, and is never called. Prints TAP.
-files=$(find include src port tools examples tests -name '*.[ch]' 2>/dev/null | sort)
+files=$(find include src port tools examples tests -name '*.[ch]' -o -name '*.[ch]pp' 2>/dev/null | sort)
 found=$(awk '
     function allow(layer, list,   n, parts, i) { n = split(list, parts, " "); for (i = 1; i <= n; i++) arrow[layer, parts[i]] = 1 }
     BEGIN {
@@ -24,7 +24,7 @@ found=$(awk '
             sub(/^(src|include\/iris)\//, "", path); sub(/[\/.].*/, "", path); return path }
         if (path ~ /^include\/iris\/[a-z0-9_]+\.h$/) {
             source = path; gsub(/.*\/|\.h$/, "", source)
-            return exists("port/os/linux/" source ".c") ? "linux" : "foundation" }
+            return exists("port/os/linux/" source ".c") || exists("port/os/linux/" source "0/" source ".c") ? "linux" : "foundation" }
         if (path ~ /^port\/cpu\//)                          return "port"
         if (path ~ /^port\/os\//)                           return "os"
         if (path ~ /^(tools|examples|tests)\//)             return "user"

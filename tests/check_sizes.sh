@@ -1,7 +1,7 @@
 #!/bin/sh
 # check_sizes.sh : the sizes and names that keep the project livable. Prints TAP and the ten longest functions.
 # A function starts at column 0 and its body is a { and a } at column 0 (clang-format sees to that).
-files=$(find include src port tools examples tests -name '*.[ch]' ! -name '*_table.c' 2>/dev/null | sort)
+files=$(find include src port tools examples tests \( -name '*.[ch]' -o -name '*.[ch]pp' \) ! -name '*_table.c' 2>/dev/null | sort)
 verdict() {
     if [ -z "$2" ]; then
         echo "ok - $1"

@@ -63,7 +63,7 @@ unit: $(UNIT_BIN) ## builds and runs the CMocka tests of this PORT and these fla
 	@tests/programs $(UNIT_BIN) | tests/tally
 
 .PHONY: unit verify verify-host verify-target
-PURITY := $(if $(CHECKED),,@echo '# rules'; tests/check_purity.sh $(LIB) $(OSLIB); tests/check_stack.sh $(OUT))
+PURITY := $(if $(CHECKED),,@echo '# rules'; tests/check_purity.sh $(LIB) $(filter-out $(CXXLIB),$(OSLIB)); tests/check_stack.sh $(OUT))
 verify-host: lib $(UNIT_BIN) $(DIGEST)
 	@tests/programs $(UNIT_BIN)
 	$(if $(LEFT_OUT),@for t in $(LEFT_OUT); do echo "ok - $$t # SKIP takes long here"; done)
@@ -187,7 +187,7 @@ verify-target: lib $(FIRMWARE) $(KERNEL_MODULE) $(if $(DIGEST),$(OUT)/digest.elf
 
 FUZZ_SRC := $(wildcard tests/fuzz/*.c)
 FUZZ_BIN := $(FUZZ_SRC:tests/fuzz/%.c=$(OUT)/fuzz/%)
-FUZZ_MAKE = $(MAKE) -s CC=clang CROSS_COMPILE= PORT=generic OPT=-O1 CHECKED=1 FUZZER=1
+FUZZ_MAKE = $(MAKE) -s CC=clang CXX=clang++ CROSS_COMPILE= PORT=generic OPT=-O1 CHECKED=1 FUZZER=1
 $(OUT)/fuzz/%: tests/fuzz/%.c $(OSLIB) $(LIB)
 	@mkdir -p $(@D)
 	$(SAY)
@@ -357,7 +357,7 @@ rig: ## runs there what RUN names, such as "tests/rig/guest/rig.sh tests/rig/gue
 deps: ## installs what the tests need: Debian packages by apt; CMocka for other processors and a virtual machine in the cache folder
 	@tests/deps $(CACHE)
 
-SOURCES = $(shell find src include port tools examples tests -name '*.[ch]' | sort)
+SOURCES = $(shell find src include port tools examples tests -name '*.[ch]' -o -name '*.[ch]pp' | sort)
 format: ## formats every source file
 	clang-format -i $(SOURCES)
 
