@@ -214,10 +214,13 @@ verify-rig: all $(RIG_BIN)
 	@tests/rig/boot $(RIG) $(OUT) $(RIG_LIST)
 verify-rig-gpio: all $(filter $(RIG_BIN),$(RIG_GPIO))
 	@tests/rig/boot $(RIG) $(OUT) $(RIG_GPIO)
+RIG_SOAK   := $(wildcard tests/rig/soak/*.sh)
+verify-soak: all
+	@tests/rig/boot --soak $(RIG) $(OUT) $(RIG_SOAK)
 RUN ?= tests/rig/guest/rig.sh
 run-rig: all $(patsubst tests/%.c,$(OUT)/tests/%,$(filter %.c,$(RUN)))
-	@tests/rig/boot $(RIG) $(OUT) $(patsubst tests/%.c,$(OUT)/tests/%,$(RUN))
-.PHONY: verify-rig verify-rig-gpio run-rig
+	@tests/rig/boot $(if $(filter tests/rig/soak/%,$(RUN)),--soak) $(RIG) $(OUT) $(patsubst tests/%.c,$(OUT)/tests/%,$(RUN))
+.PHONY: verify-rig verify-rig-gpio verify-soak run-rig
 
 # --- checks of the sources, examples, and the scripts of tests/*.sh ---
 
@@ -315,6 +318,7 @@ $(eval $(call layer,windows,,x86_64-w64-mingw32-gcc $(WINE) $(WIN_ROOT)/usr/incl
 $(eval $(call layer,big-endian,,s390x-linux-gnu-gcc qemu-s390x $(BIG_ROOT)/usr/include/cmocka.h,$(BIG) verify-host))
 $(eval $(call layer,linux,,$(RIG_NEEDS),$(ON_RIG) verify-rig))
 $(eval $(call layer,linux-checked,,$(RIG_NEEDS),$(ON_RIG) CHECKED=1 verify-rig))
+$(if $(RIG_SOAK),$(eval $(call layer,linux-soak,,$(RIG_NEEDS),$(ON_RIG) verify-soak)))
 $(if $(RIG_GPIO),$(eval $(call layer,linux-gpiod2,,$(RIG_NEEDS) $(RIG)/root/opt/gpiod2,$(ON_RIG_2) verify-rig-gpio)))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m7,,arm-none-eabi-gcc qemu-system-arm,$(M7) verify-modules))
