@@ -7,6 +7,7 @@
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each; tests/target/bridge runs the host's tests there
 #   tests/fuzz/*.c                           libFuzzer, one target each
 #   tests/rig/guest/*.c *.sh                 run in a virtual machine with real drivers (tests/rig/boot); so does tests/linux
+#   tests/rig/soak/*.c *.sh                  run there for many minutes of its own clock
 #   tests/check_*.sh                         the rules of the house; any other tests/*.sh is run with the host's tool
 
 ifdef IRIS_DATA
@@ -214,8 +215,8 @@ verify-rig: all $(RIG_BIN)
 	@tests/rig/boot $(RIG) $(OUT) $(RIG_LIST)
 verify-rig-gpio: all $(filter $(RIG_BIN),$(RIG_GPIO))
 	@tests/rig/boot $(RIG) $(OUT) $(RIG_GPIO)
-RIG_SOAK   := $(wildcard tests/rig/soak/*.sh)
-verify-soak: all
+RIG_SOAK   := $(patsubst tests/%.c,$(OUT)/tests/%,$(wildcard tests/rig/soak/*.c)) $(wildcard tests/rig/soak/*.sh)
+verify-soak: all $(filter $(OUT)/%,$(RIG_SOAK))
 	@tests/rig/boot --soak $(RIG) $(OUT) $(RIG_SOAK)
 RUN ?= tests/rig/guest/rig.sh
 run-rig: all $(patsubst tests/%.c,$(OUT)/tests/%,$(filter %.c,$(RUN)))
