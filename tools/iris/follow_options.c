@@ -79,6 +79,16 @@ static int read_contrast(iris_follow_config *config, const char *text)
     return 1;
 }
 
+static int read_camera(follow_options *options, const follow_texts *texts)
+{
+    if (!camera_options_read(&options->capture, &texts->camera)) {
+        return 0;
+    }
+    options->capture.policy = IRIS_CAPTURE_LATEST;
+    options->capture.rate_millihz = texts->rate ? options->rate * 1000 : 0;
+    return 1;
+}
+
 int follow_options_read(follow_options *options, const follow_texts *texts)
 {
     iris_follow_defaults(&options->line);
@@ -92,6 +102,8 @@ int follow_options_read(follow_options *options, const follow_texts *texts)
            (!texts->estimator || read_estimator(&options->hough, texts->estimator)) &&
            (!texts->rows || read_rows(options, texts->rows)) &&
            (!texts->rate || read_number(&options->rate, "--rate", texts->rate, 1, 1000)) &&
+           (!texts->frames || read_number(&options->frames, "--frames", texts->frames, 1, INT32_MAX)) &&
+           read_camera(options, texts) &&
            (!texts->take || follow_junctions_take(&options->junctions, texts->take)) &&
            (!texts->baud || read_number(&options->baud, "--baud", texts->baud, 1200, 4000000));
 }

@@ -2,6 +2,7 @@
 #ifndef IRIS_TOOL_FOLLOW_OPTIONS_H
 #define IRIS_TOOL_FOLLOW_OPTIONS_H
 
+#include "camera.h"
 #include "follow_floor.h"
 #include "follow_junctions.h"
 #include "iris/xt/follow.h"
@@ -18,13 +19,18 @@ typedef struct {
     int hough;           /* 1: straight parts by Hough transform, not by regression */
     const char *overlay; /* folder; null: none */
     const char *serial;  /* device; null: none */
+    const char *camera;  /* device or recording; null: files */
+    iris_capture_config capture;
+    int32_t frames; /* of the camera; 0: no limit */
+    int timing;
     follow_floor floor;
     follow_junction_options junctions;
 } follow_options;
 
 /* The options as texts, null where not given. */
 typedef struct {
-    const char *line, *estimator, *rows, *rate, *baud, *take, *contrast;
+    const char *line, *estimator, *rows, *rate, *baud, *take, *contrast, *frames;
+    camera_texts camera; /* without the rate */
 } follow_texts;
 
 /* Fills everything of `options` that texts decide; what is not given gets its default. Returns 0 after complaining. */

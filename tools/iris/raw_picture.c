@@ -25,16 +25,33 @@ static const struct {
                {"bayer-gbrg", IRIS_BAYER8_GBRG},
                {"bayer-bggr", IRIS_BAYER8_BGGR}};
 
+iris_format raw_format_find(const char *name, size_t length)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        if (strlen(formats[i].name) == length && memcmp(formats[i].name, name, length) == 0) {
+            return formats[i].format;
+        }
+    }
+    return (iris_format)0;
+}
+
+const char *raw_format_name(iris_format format)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        if (formats[i].format == format) {
+            return formats[i].name;
+        }
+    }
+    return NULL;
+}
+
 int raw_layout_parse(raw_layout *layout, const char *text)
 {
     const char *colon = strchr(text, ':');
     int32_t n[2];
     *layout = (raw_layout){0};
-    for (size_t i = 0; colon && i < sizeof formats / sizeof formats[0]; i++) {
-        if (strlen(formats[i].name) == (size_t)(colon - text) &&
-            memcmp(formats[i].name, text, (size_t)(colon - text)) == 0) {
-            layout->format = formats[i].format;
-        }
+    if (colon) {
+        layout->format = raw_format_find(text, (size_t)(colon - text));
     }
     if (!layout->format) {
         complain("--raw", "FORMAT:WxH with a format such as yuyv, nv12, or bayer-rggb (see --help), not '%s'",

@@ -12,10 +12,17 @@
     "                    bgr, rgba, rgb565, rgb565-be, yuyv, uyvy, nv12, bayer-rggb, bayer-grbg,\n"          \
     "                    bayer-gbrg, or bayer-bggr\n"
 
+/* IRIS_UV88 stands for NV12 here. */
 typedef struct {
-    iris_format format; /* 0: none was given; IRIS_UV88: NV12 */
+    iris_format format; /* 0: none was given */
     iris_size size;
 } raw_layout;
+
+/* The format of a name of `length` letters, such as "yuyv"; 0: there is none. */
+iris_format raw_format_find(const char *name, size_t length);
+
+/* Null: not the format of raw pictures. */
+const char *raw_format_name(iris_format format);
 
 /* Reads FORMAT:WxH. Returns 0 after complaining. */
 int raw_layout_parse(raw_layout *layout, const char *text);

@@ -14,8 +14,9 @@ int system_begin(void);
 /* fd: STDOUT_FILENO or STDERR_FILENO. */
 int system_is_terminal(int fd);
 
-/* Milliseconds from any start; never backwards. */
+/* Milliseconds and microseconds from any start; never backwards. */
 int64_t system_clock_ms(void);
+int64_t system_clock_us(void);
 
 /* Memory aligned to IRIS_SCRATCH_ALIGN, for free(); null when there is none. */
 void *system_scratch(size_t bytes);

@@ -37,11 +37,16 @@ int system_is_terminal(int fd)
     return isatty(fd);
 }
 
-int64_t system_clock_ms(void)
+int64_t system_clock_us(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+    return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
+}
+
+int64_t system_clock_ms(void)
+{
+    return system_clock_us() / 1000;
 }
 
 void *system_scratch(size_t bytes)

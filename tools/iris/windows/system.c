@@ -31,6 +31,11 @@ int64_t system_clock_ms(void)
     return (int64_t)GetTickCount64();
 }
 
+int64_t system_clock_us(void)
+{
+    return system_clock_ms() * 1000;
+}
+
 /* malloc aligns to 16. */
 void *system_scratch(size_t bytes)
 {

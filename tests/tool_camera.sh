@@ -1,0 +1,92 @@
+#!/bin/sh
+# Cameras from outside, with recordings as cameras: what needs a kernel's driver is in tests/rig/guest.
+. tests/outside
+LC_ALL=C
+export LC_ALL
+
+# picture COLUMN [W] : PGM of 64x48 (W) pixels with a dark line, 8 wide, from that column on
+picture() {
+    awk -v left="$1" -v w="${2:-64}" 'BEGIN {
+        printf "P5 %d 48 255\n", w
+        for (y = 0; y < 48; y++) for (x = 0; x < w; x++) printf "%s", (x >= left && x < left + 8) ? " " : "~" }'
+}
+mkdir frames empty
+for k in 0 1 2 3 4 5 6 7 8 9; do
+    picture $((20 + 2 * k)) > "frames/f$k.pgm"
+done
+cat frames/*.pgm > all.pgm
+answers() { # the answers in a file, without the name of their source
+    sed 's/"file":"[^"]*",//' "$1"
+}
+first_argument=follow
+
+# --- the same answers as from files ---
+run --json frames
+cp out files
+works "a folder as a camera" --json --camera frames
+answers files > wanted
+answers out | cmp -s - wanted; say $? "a folder as a camera: the same answers as from files"
+works "a file as a camera" --json --camera all.pgm
+answers out | cmp -s - wanted; say $? "a file of several pictures as a camera: the same answers"
+"$iris" follow --json --camera - < all.pgm 2> err | sed 's/"file":"[^"]*",//' > out
+cmp -s out wanted; say $? "standard input as a camera: the same answers"
+works "in gray" --json --camera frames --format gray
+answers out | cmp -s - wanted; say $? "in gray: the same answers"
+works "in color" --json --camera frames --format rgb
+answers out | cmp -s - wanted; say $? "in color: the same answers"
+works "junctions" --json --junctions --camera frames
+grep -q '"junctions":' out; say $? "junctions through a camera"
+works "an overlay of each frame" --camera frames --overlay seen
+[ "$(ls seen | tr '\n' ' ')" = "$(for k in 01 02 03 04 05 06 07 08 09 10; do printf 'frame_000%s.bmp ' $k; done)" ]
+say $? "overlays are numbered"
+
+# --- rate, frames, timing ---
+works "three frames" --json --camera frames --frames 3
+[ "$(wc -l < out)" -eq 3 ]; say $? "three frames: three answers"
+start=$(date +%s%N)
+works "at 20 a second" --json --camera frames --rate 20 --timing
+[ $(($(date +%s%N) - start)) -ge 440000000 ]; say $? "at 20 a second: ten frames take 0.45 s"
+[ "$(wc -l < out)" -eq 11 ] && tail -1 out |
+    grep -Eq '^\{"frame_to_command":\{"frames":10,"p50_us":[0-9]+,"p90_us":[0-9]+,"p99_us":[0-9]+,"max_us":[0-9]+\}\}$'
+say $? "timing in JSON"
+tail -1 out | sed 's/p[0-9]*_us//g' | tr -dc '0-9,' | awk -F, '{ exit !($2 <= $3 && $3 <= $4 && $4 <= $5 && $5 < 1000000) }'
+say $? "timing: percentiles in order"
+run --camera frames --timing
+[ $code -eq 0 ] && grep -Eq '^frame to command, us: p50 [0-9]+  p90 [0-9]+  p99 [0-9]+  max [0-9]+  \(10 frames\)$' err
+say $? "timing in text"
+(cat all.pgm; sleep 0.5; cat all.pgm) | timeout 10 "$iris" follow --camera - --rate 1000 > out 2> err
+grep -q '^iris follow: -: no frame comes; the robot stands still until there are frames again$' err &&
+    grep -q '^iris follow: -: frames again$' err
+say $? "frames that stay away are said, and that they are back"
+
+# --- what is wrong ---
+refuses "a camera that is not there" 1 '^iris follow: /dev/video250: ' --camera /dev/video250
+refuses "a recording that is not there" 1 '^iris follow: nothing: no such file or folder$' --camera nothing
+refuses "a folder without pictures" 1 '^iris follow: empty: no .bmp, ' --camera empty
+refuses "a device that is no camera" 1 '^iris follow: /dev/null: ' --camera /dev/null
+refuses "a size that is none" 2 '^iris follow: --size: WxH' --camera frames --size 320
+refuses "a format that is none" 2 '^iris follow: --format: gray, ' --camera frames --format mjpg
+refuses "a format that no recording has" 1 '^iris follow: frames: a recording gives ' --camera frames --format yuyv
+refuses "no frames" 2 '^iris follow: --frames: ' --camera frames --frames 0
+refuses "a camera and files" 2 '^iris follow: --camera: either ' --camera frames all.pgm
+for option in "--size 64x48" "--format gray" "--frames 3" --timing; do
+    # shellcheck disable=SC2086
+    refuses "${option% *} without a camera" 2 "^iris follow: ${option% *}: only together with --camera\$" $option frames
+done
+echo text > frames/f3a.pgm
+run --json --camera frames
+[ $code -eq 0 ] && [ "$(wc -l < out)" -eq 10 ] && grep -q '^iris follow: frames: 10 frames, 0 dropped, 0 skipped, 1 damaged,' err
+say $? "a bad picture is counted, and the others go on"
+rm frames/f3a.pgm
+{ cat all.pgm; echo garbage; } | timeout 10 "$iris" follow --json --camera - > out 2> err
+[ $? -eq 1 ] && [ "$(wc -l < out)" -eq 10 ] && grep -q '^iris follow: -: neither BMP nor PGM/PPM$' err
+say $? "garbage behind the pictures"
+
+# --- it ends when it is told to; `hold` is a pipe that does not end ---
+mkfifo hold
+exec 3<> hold
+for signal in INT TERM; do
+    cat all.pgm >&3
+    timeout --preserve-status -k 5 -s $signal 0.5 "$iris" follow --camera - < hold > out 2> err
+    [ $? -eq 0 ] && [ "$(wc -l < out)" -eq 10 ]; say $? "SIG$signal ends it cleanly"
+done
