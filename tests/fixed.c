@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "random_number.h"
 #include "test.h"
 
 static const double TURN = 6.283185307179586476925;
@@ -37,11 +38,7 @@ static const int32_t extremes[] = {0,
 
 static uint32_t random_u32(void)
 {
-    static uint64_t x = 88172645463325252u;
-    x ^= x << 13;
-    x ^= x >> 7;
-    x ^= x << 17;
-    return (uint32_t)(x >> 16);
+    return (uint32_t)(random_u64() >> 16);
 }
 
 /* An operand for the n-th trial: extremes first, then random numbers of every magnitude. */

@@ -4,17 +4,10 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "random_number.h"
 #include "test.h"
 
 static const double one = 4294967296.0;
-
-static uint64_t random_u64(void)
-{
-    static uint64_t x = 88172645463325252u;
-    x ^= x << 13;
-    x ^= x >> 7;
-    return x ^= x << 17;
-}
 
 static double worst_sine(int64_t limit, int count)
 {

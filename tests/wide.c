@@ -2,15 +2,8 @@
  * them, they say whether the hand errs. */
 #include "iris/wide.h"
 
+#include "random_number.h"
 #include "test.h"
-
-static uint64_t random_u64(void)
-{
-    static uint64_t x = 88172645463325252u;
-    x ^= x << 13;
-    x ^= x >> 7;
-    return x ^= x << 17;
-}
 
 /* Every length of number, and the extremes. */
 static int64_t any(int i)
