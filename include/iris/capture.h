@@ -116,6 +116,8 @@ typedef struct {
     const char *path;
     iris_capture_config config;
     int32_t state;
+    int32_t restarted;      /* no frame has come since */
+    int32_t changed;        /* what returned was something else */
     uint32_t borrowed;      /* a bit for each buffer */
     int32_t counting;       /* 0: the next frame's sequence follows on nothing */
     uint32_t last_sequence; /* by the source's count */
@@ -158,7 +160,7 @@ const char *iris_capture_problem(const iris_capture *capture);
 /* What a source consists of: called in this order only, open (start (take give)* stop)* close. Statuses are those above;
  * every function but close may fail, and none may block for long but take. */
 struct iris_capture_driver {
-    /* Makes the device ready, fills the grant. After a failure nothing is open. */
+    /* Makes the device ready, fills the grant, with 2 buffers or more. After a failure nothing is open. */
     iris_status (*open)(void *device, iris_capture_grant *grant, const char *path,
                         const iris_capture_config *wanted);
     iris_status (*start)(void *device);

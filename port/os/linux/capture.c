@@ -70,6 +70,7 @@ static iris_status set_going(iris_capture *capture, iris_capture_grant *grant)
         return status;
     }
     capture->state = RUNNING;
+    capture->restarted = 0;
     capture->counting = 0;
     return IRIS_OK;
 }
@@ -86,7 +87,13 @@ iris_status iris_capture_open(iris_capture *capture, iris_capture_source source,
     if (!complete(&capture->config, config)) {
         return IRIS_ERR_ARG;
     }
-    return set_going(capture, &capture->granted);
+    iris_status status = set_going(capture, &capture->granted);
+    if (status ==
+        IRIS_OK) { /* what a source that returns has to be again, whatever it was set to meanwhile */
+        capture->config.size = capture->granted.size;
+        capture->config.format = capture->granted.format;
+    }
+    return status;
 }
 
 /* The stream is over for now: closes the device as soon as no frame is borrowed. */
@@ -109,6 +116,7 @@ static iris_status restart(iris_capture *capture)
         return IRIS_ERR_IO;
     }
     capture->restarts++;
+    capture->restarted = 1;
     capture->counting = 0;
     return IRIS_OK;
 }
@@ -129,10 +137,12 @@ static iris_status come_back(iris_capture *capture, int64_t end_ms)
     }
     wait_until(due_ms);
     iris_capture_grant grant;
+    capture->changed = 0;
     if (set_going(capture, &grant) != IRIS_OK) {
         return IRIS_ERR_IO;
     }
-    if (!same_pictures(&grant, &capture->granted) || grant.buffers < 2) {
+    capture->changed = !same_pictures(&grant, &capture->granted);
+    if (capture->changed) {
         capture->source.driver->stop(capture->source.device);
         lose(capture);
         return IRIS_ERR_IO;
@@ -177,14 +187,14 @@ static void overtake(iris_frame *frame, iris_capture *capture)
     }
 }
 
-/* Waits for a good frame on a stream that runs, which may have to be started again once. */
+/* Waits for a good frame on a stream that runs. It may be started again, but only once before a frame comes. */
 static iris_status receive(iris_frame *frame, iris_capture *capture, int64_t end_ms)
 {
     const iris_capture_driver *driver = capture->source.driver;
-    int restarted = 0;
     for (int64_t rest_ms = end_ms - clock_ms();; rest_ms = end_ms - clock_ms()) {
         iris_status status = driver->take(capture->source.device, frame, rest_ms > 0 ? (int32_t)rest_ms : 0);
         if (status == IRIS_OK) {
+            capture->restarted = 0;
             count(capture, frame);
             return IRIS_OK;
         }
@@ -193,14 +203,12 @@ static iris_status receive(iris_frame *frame, iris_capture *capture, int64_t end
             capture->damaged++;
         } else if (status != IRIS_ERR_IO) {
             return status;
-        } else if (restarted) {
+        } else if (capture->restarted) {
             driver->stop(capture->source.device);
             lose(capture);
             return IRIS_ERR_IO;
         } else if (restart(capture) != IRIS_OK) {
             return IRIS_ERR_IO;
-        } else {
-            restarted = 1;
         }
         if (rest_ms <= 0) {
             return IRIS_ERR_TIMEOUT;
@@ -281,6 +289,9 @@ int iris_capture_is_running(const iris_capture *capture)
 
 const char *iris_capture_problem(const iris_capture *capture)
 {
+    if (capture && capture->changed) {
+        return "the source came back with another size or format than it had";
+    }
     return capture && capture->source.driver ? capture->source.driver->problem(capture->source.device)
                                              : "not opened";
 }
