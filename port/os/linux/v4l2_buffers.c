@@ -122,7 +122,7 @@ iris_status v4l2_map(iris_v4l2 *device, int32_t wanted)
     request.memory = V4L2_MEMORY_MMAP;
     int error = video_ask(device->handle, VIDIOC_REQBUFS, &request);
     if (error != 0) {
-        return v4l2_fail(device, IRIS_ERR_IO, "no buffers", error);
+        return v4l2_fail(device, IRIS_ERR_IO, "the driver has no buffers for it", error);
     }
     device->grant.buffers =
         request.count < IRIS_CAPTURE_BUFFERS_MAX ? (int32_t)request.count : IRIS_CAPTURE_BUFFERS_MAX;
