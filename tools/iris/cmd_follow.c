@@ -7,12 +7,12 @@
 #include "complain.h"
 #include "follow_camera.h"
 #include "follow_options.h"
-#include "follow_port.h"
 #include "follow_session.h"
 #include "frame_sequence.h"
 #include "inputs.h"
 #include "overlay_folder.h"
 #include "progress.h"
+#include "steering.h"
 #include "stop_signal.h"
 #include "system.h"
 
@@ -44,18 +44,17 @@ static const char help[] =
     "  --format F     its format: yuyv, nv12, rgb, gray, ... (iris capture --help); default: any\n"
     "  --frames N     end after so many frames\n"
     "  --timing       at the end: how long frames took from when they were there until their command\n"
-    "                 was sent, by percentiles, on standard error; with --json as a last object\n"
-    "  --serial DEV   send each command to a serial port; files are then paced at --rate\n"
-    "  --baud N       its speed, default 115200\n\n"
+    "                 was sent, by percentiles, on standard error; with --json as a last "
+    "object\n" STEERING_HELP "\n"
     "angle: degrees, 0 straight ahead, right positive; next: behind a sharp bend. offset, ahead: of the\n"
     "line from the middle at the bottom row and the look-ahead row, 1 is half the width. A line lost for\n"
     "up to 200 ms is stale: its last result is repeated, without rows. After that it is lost.\n"
     "steer: -1 full left to 1 full right, and as wheel angle; speed: 0 to 1. Both are there for lost\n"
     "frames too: the search for the line, then the stop. In JSON, what does not exist is null.\n"
-    "When no frame comes for a while the robot is told to stop, until there are frames again.\n\n"
+    "When no frame comes for a while the robot is told to stop.\n\n"
     "example: iris follow --rows 40,120,200 --overlay seen frames/\n"
     "         iris follow --junctions --take left,straight frames/\n"
-    "         iris follow --camera /dev/video0 --size 320x240 --serial /dev/ttyUSB0\n"
+    "         iris follow --camera /dev/video0 --gpio gpiochip0:left=17,right=18,stop=27\n"
     "         camera | iris follow --json -\n"
     "         iris follow --line hsl:50-90:20-100:20-70 yellow/*.bmp\n";
 
@@ -122,18 +121,24 @@ static int follow(const follow_options *options, const input_list *inputs)
 static int run(const follow_options *options, const input_list *inputs)
 {
     int exit_code = options->overlay ? overlay_folder_begin(options->overlay, inputs) : EXIT_DONE;
-    if (exit_code == EXIT_DONE && options->camera) {
+    if (options->camera) {
         stop_signal_catch();
-        exit_code = follow_camera_begin(options);
     }
-    if (exit_code == EXIT_DONE && options->serial) {
-        exit_code = follow_port_open(options->serial, options->baud);
+    if (exit_code == EXIT_DONE &&
+        options->steering.used) { /* before the camera, which its process shall not have */
+        exit_code = steering_open(&options->steering);
+    }
+    if (exit_code != EXIT_DONE) {
+        return exit_code;
+    }
+    if (options->camera) {
+        exit_code = follow_camera_begin(options);
     }
     if (exit_code == EXIT_DONE) {
         exit_code = follow(options, inputs);
-        if (options->serial && follow_port_stop() != EXIT_DONE && exit_code == EXIT_DONE) {
-            exit_code = EXIT_BAD_DATA;
-        }
+    }
+    if (options->steering.used && steering_stop() != EXIT_DONE && exit_code == EXIT_DONE) {
+        exit_code = EXIT_BAD_DATA;
     }
     if (options->camera) {
         follow_camera_end();
@@ -175,10 +180,6 @@ static int fits_together(const follow_options *options, const follow_texts *text
         complain("--take", "only together with --junctions");
         return 0;
     }
-    if (texts->baud && !options->serial) {
-        complain("--baud", "only together with --serial");
-        return 0;
-    }
     return 1;
 }
 
@@ -208,8 +209,11 @@ int cmd_follow(int argc, char **argv)
                                  {"format", 0, NULL, &texts.camera.format},
                                  {"frames", 0, NULL, &texts.frames},
                                  {"timing", 0, &options.timing, NULL},
-                                 {"serial", 0, NULL, &options.serial},
-                                 {"baud", 0, NULL, &texts.baud}};
+                                 {"serial", 0, NULL, &texts.steering.serial},
+                                 {"baud", 0, NULL, &texts.steering.baud},
+                                 {"gpio", 0, NULL, &texts.steering.gpio},
+                                 {"pwm", 0, NULL, &texts.steering.pwm},
+                                 {"watchdog", 0, NULL, &texts.steering.watchdog}};
     arguments args = {help, known, sizeof known / sizeof known[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {

@@ -96,7 +96,6 @@ int follow_options_read(follow_options *options, const follow_texts *texts)
     options->hough = 0;
     options->row_count = 0;
     options->rate = 30;
-    options->baud = 115200;
     return (!texts->line || read_line(&options->line, texts->line)) &&
            (!texts->contrast || read_contrast(&options->line, texts->contrast)) &&
            (!texts->estimator || read_estimator(&options->hough, texts->estimator)) &&
@@ -105,5 +104,5 @@ int follow_options_read(follow_options *options, const follow_texts *texts)
            (!texts->frames || read_number(&options->frames, "--frames", texts->frames, 1, INT32_MAX)) &&
            read_camera(options, texts) &&
            (!texts->take || follow_junctions_take(&options->junctions, texts->take)) &&
-           (!texts->baud || read_number(&options->baud, "--baud", texts->baud, 1200, 4000000));
+           steering_options_read(&options->steering, &texts->steering, options->rate);
 }

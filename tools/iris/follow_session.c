@@ -5,10 +5,10 @@
 #include "complain.h"
 #include "floor_file.h"
 #include "follow_overlay.h"
-#include "follow_port.h"
 #include "follow_report.h"
 #include "iris/color.h"
 #include "latency.h"
+#include "steering.h"
 #include "system.h"
 
 /* Where the library works: enough for the largest frame. */
@@ -115,11 +115,11 @@ int follow_session_answer(follow_session *s, const follow_frame *frame)
     if (exit_code != EXIT_DONE) {
         return exit_code;
     }
-    if (options->serial) {
+    if (options->steering.used) {
         if (!options->camera && strcmp(frame->file, "-") != 0) {
-            follow_port_wait(frame->time_ms);
+            steering_wait(frame->time_ms);
         }
-        follow_port_send(&answer.command);
+        steering_send(&answer.command);
     }
     if (frame->available_us != 0) {
         latency_add(system_clock_us() - frame->available_us);
@@ -133,9 +133,9 @@ void follow_session_halt(follow_session *s)
     iris_follow_forget(&s->follow);
     iris_steer_init(&s->steer, NULL);
     s->halted = 1;
-    if (s->options->serial) {
+    if (s->options->steering.used) {
         const iris_command stop = {.seq = (int32_t)(s->answered % 10000), .state = IRIS_LINE_LOST};
-        follow_port_send(&stop);
+        steering_send(&stop);
     }
 }
 
