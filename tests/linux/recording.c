@@ -118,7 +118,7 @@ static int next_value(int32_t timeout_ms)
 
 static void assert_end(iris_status status)
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         assert_int_equal(iris_capture_next(&frame, &camera, 100), status);
     }
 }
@@ -429,10 +429,10 @@ static void standard_input_that_is_late_shifts_what_follows(void **state)
     (void)state;
     static uint8_t bytes[8192];
     const iris_capture_config config = {.rate_millihz = 4000, .policy = IRIS_CAPTURE_LATEST};
-    size_t count = encode_gray(bytes, sizeof bytes, 3);
-    send(bytes, count / 3, count - count / 3, 600, 0);
+    size_t count = encode_gray(bytes, sizeof bytes, 4);
+    send(bytes, count / 4, count - count / 4, 900, 0);
     assert_int_equal(open_recording("-", &config), IRIS_OK);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         assert_int_equal(next_value(2000), i);
     }
     assert_int_equal(camera.dropped, 0);
