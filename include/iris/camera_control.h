@@ -50,13 +50,13 @@ typedef enum {
 
 typedef struct {
     char name[IRIS_CAMERA_CONTROL_NAME_BYTES];
-    char label[33]; /* the driver's own name */
-    iris_camera_control_kind kind;
-    uint32_t flags;
     int64_t minimum, maximum, step; /* step at least 1 */
     int64_t default_value;
     int64_t value; /* 0 for a button, for what is write-only, and for what could not be read */
-    uint32_t id;   /* the kernel's */
+    iris_camera_control_kind kind;
+    uint32_t flags;
+    uint32_t id;    /* the kernel's */
+    char label[33]; /* the driver's own name */
 } iris_camera_control;
 
 typedef struct {

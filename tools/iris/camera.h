@@ -6,8 +6,8 @@
 
 /* For help texts. */
 #define CAMERA_DEVICE_HELP                                                                                   \
-    "  a device such as /dev/video0, or a recording: a picture file, a folder of them, - for standard "      \
-    "input\n"
+    "a device such as /dev/video0, libcamera:ID, or a recording: a picture file, a\n"                        \
+    "                folder of them, or - for standard input\n"
 
 /* The options of a camera as texts, null where not given. */
 typedef struct {
@@ -21,7 +21,15 @@ int camera_options_read(iris_capture_config *config, const camera_texts *texts);
 /* The name of a format, as --format has it: "yuyv", "nv12", ... "?" for one that cameras do not have. */
 const char *camera_format_name(int32_t format);
 
-/* device: a node of the kernel's cameras, or a recording (recording.h). Complains; returns an exit code. */
+/* What names a camera behind libcamera: this and its id. */
+#define CAMERA_LIBCAMERA       "libcamera:"
+#define CAMERA_LIBCAMERA_BYTES 272
+
+/* libcamera says on standard error what it does; not from now on, unless LIBCAMERA_LOG_LEVELS wants that. */
+void camera_quiet_libcamera(void);
+
+/* device: a node of the kernel's cameras, one behind libcamera, or a recording (recording.h). Complains; returns an exit
+ * code. */
 int camera_open(const char *device, const iris_capture_config *config);
 
 /* As iris_capture_next; time_us of the frame is when it was there, by system_clock_us. */

@@ -38,8 +38,8 @@ static const char help[] =
     "  --stills       frames have nothing to do with each other: forget between them\n"
     "  --rate N       frames per second, 1 to 1000, default 30; a camera: as it is set\n"
     "  --overlay DIR  write each frame with what was found drawn in, as a BMP\n" FOLLOW_FLOOR_HELP
-    "  --camera D     frames as they come: from a device such as /dev/video0, or from a recording that\n"
-    "                 plays at --rate: a file, a folder, - for standard input; the newest frame counts\n"
+    "  --camera D     frames as they come: from a device such as /dev/video0, from libcamera:ID, or from a\n"
+    "                 recording that plays at --rate: a file, a folder, - for standard input\n"
     "  --size WxH     the camera's size in pixels, or the nearest it has; default: as it is set\n"
     "  --format F     its format: yuyv, nv12, rgb, gray, ... (iris capture --help); default: any\n"
     "  --frames N     end after so many frames\n"

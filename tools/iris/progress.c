@@ -14,7 +14,7 @@ static int64_t last_ms;
 
 void progress_show(const char *command, int part, int parts, const char *name)
 {
-    if (parts < 2 || !system_is_terminal(STDERR_FILENO)) {
+    if (parts == 1 || !system_is_terminal(STDERR_FILENO)) {
         return;
     }
     int64_t now = system_clock_ms();
@@ -24,7 +24,11 @@ void progress_show(const char *command, int part, int parts, const char *name)
     last_ms = now;
     char start[61];
     snprintf(start, sizeof start, "%s", name);
-    fprintf(stderr, "\r\033[K%s %d/%d ", command, part, parts);
+    fprintf(stderr, "\r\033[K%s %d", command, part);
+    if (parts > 0) {
+        fprintf(stderr, "/%d", parts);
+    }
+    fputc(' ', stderr);
     one_line(stderr, start);
     fflush(stderr);
     shown = 1;

@@ -7,6 +7,7 @@
 #include "../complain.h"
 #include "../picture.h"
 #include "../system.h"
+#include "iris/libcamera.h"
 #include "iris/recording.h"
 #include "iris/v4l2.h"
 
@@ -19,9 +20,20 @@
 static struct {
     iris_capture capture;
     iris_v4l2 v4l2;
+    iris_libcamera libcamera;
     iris_recording recording;
     int is_recording;
 } camera;
+
+void camera_quiet_libcamera(void)
+{
+    (void)setenv("LIBCAMERA_LOG_LEVELS", "*:FATAL", 0);
+}
+
+static int is_libcamera(const char *device)
+{
+    return strncmp(device, CAMERA_LIBCAMERA, strlen(CAMERA_LIBCAMERA)) == 0;
+}
 
 /* What is no recording by its name, also while it is not there. */
 static int is_device(const char *path)
@@ -32,6 +44,11 @@ static int is_device(const char *path)
 
 static iris_capture_source source_of(const char *device)
 {
+    camera.is_recording = 0;
+    if (is_libcamera(device)) {
+        camera_quiet_libcamera();
+        return iris_libcamera_source(&camera.libcamera);
+    }
     camera.is_recording = !is_device(device);
     if (!camera.is_recording) {
         return iris_v4l2_source(&camera.v4l2);
@@ -45,7 +62,8 @@ static iris_capture_source source_of(const char *device)
 
 int camera_open(const char *device, const iris_capture_config *config)
 {
-    iris_status status = iris_capture_open(&camera.capture, source_of(device), device, config);
+    const char *path = is_libcamera(device) ? device + strlen(CAMERA_LIBCAMERA) : device;
+    iris_status status = iris_capture_open(&camera.capture, source_of(device), path, config);
     if (status == IRIS_OK) {
         return EXIT_DONE;
     }
