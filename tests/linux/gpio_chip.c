@@ -1,15 +1,8 @@
 /* GPIO lines of a real kernel, gpio-sim's, whose levels are read back from /sys; outside of the rig, what needs no chip. */
 #include "iris/gpio.h"
-#include "test.h"
+#include "rig/guest/gpio_sim.h"
 
 #include <errno.h>
-#include <stdio.h>
-#include <sys/stat.h>
-#include <time.h>
-#include <unistd.h>
-
-#define MINE  "/sys/kernel/config/gpio-sim/iris-test"
-#define LABEL "iris-test-chip"
 
 static const iris_gpio_line four[4] = {{1, 0, 0, 0}, {2, 1, 0, 0}, {5, 0, 1, 1}, {6, 1, 1, 0}};
 
@@ -32,38 +25,12 @@ static int has_libgpiod(void)
            gpio.error != ENOSYS;
 }
 
-static void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-}
-
-static void read_text(char *text, size_t capacity, const char *path)
-{
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    assert_non_null(fgets(text, (int)capacity, file));
-    fclose(file);
-    text[strcspn(text, "\n")] = '\0';
-}
-
-/* The level of a line, by the kernel. */
-static int level(const char *sysfs, int line)
-{
-    char path[256], text[16];
-    snprintf(path, sizeof path, "%s/sim_gpio%d/value", sysfs, line);
-    read_text(text, sizeof text, path);
-    return text[0] - '0';
-}
-
 /* The levels of `four`'s lines as bits. */
 static uint32_t levels(const char *sysfs)
 {
     uint32_t bits = 0;
     for (int i = 0; i < 4; i++) {
-        bits |= (uint32_t)level(sysfs, four[i].offset) << i;
+        bits |= (uint32_t)gpio_sim_level(sysfs, four[i].offset) << i;
     }
     return bits;
 }
@@ -104,8 +71,8 @@ static void the_kernel_has_the_levels(void **state)
     }
     assert_int_equal(iris_gpio_safe(&gpio, 2), IRIS_OK);
     assert_int_equal(levels(sysfs), 0xe);
-    assert_int_equal(level(sysfs, 0), 0);
-    assert_int_equal(level(sysfs, 3), 0);
+    assert_int_equal(gpio_sim_level(sysfs, 0), 0);
+    assert_int_equal(gpio_sim_level(sysfs, 3), 0);
     iris_gpio_close(&gpio);
 }
 
@@ -140,7 +107,7 @@ static void a_busy_line_and_its_user(void **state)
     assert_int_equal(levels(sysfs), 1 ^ 0xa); /* the first user does not notice */
     iris_gpio_close(&first);
     assert_int_equal(iris_gpio_set(&second, 2, 1), IRIS_OK); /* free now */
-    assert_int_equal(level(sysfs, 5), 1);
+    assert_int_equal(gpio_sim_level(sysfs, 5), 1);
     iris_gpio_close(&second);
 }
 
@@ -153,31 +120,6 @@ static void a_line_that_the_chip_lacks(void **state)
     assert_int_equal(iris_gpio_open(&gpio, chip, far, 1, 250, 0), IRIS_ERR_RANGE);
     assert_non_null(strstr(iris_gpio_problem(&gpio), "line 500: the chip has lines 0 to "));
     iris_gpio_close(&gpio);
-}
-
-/* A chip of our own; where its values are. */
-static void make_chip(char sysfs[128])
-{
-    char name[24], device[32], path[64];
-    assert_int_equal(mkdir(MINE, 0755), 0);
-    assert_int_equal(mkdir(MINE "/bank0", 0755), 0);
-    write_text(MINE "/bank0/num_lines", "8");
-    write_text(MINE "/bank0/label", LABEL);
-    write_text(MINE "/live", "1");
-    read_text(name, sizeof name, MINE "/bank0/chip_name");
-    read_text(device, sizeof device, MINE "/dev_name");
-    snprintf(path, 64, "/dev/%s", name);
-    snprintf(sysfs, 128, "/sys/devices/platform/%s/%s", device, name);
-    for (int i = 0; i < 200 && access(path, F_OK) != 0; i++) {
-        nanosleep(&(struct timespec){0, 10000000}, NULL);
-    }
-}
-
-static void remove_chip(void)
-{
-    write_text(MINE "/live", "0");
-    assert_int_equal(rmdir(MINE "/bank0"), 0);
-    assert_int_equal(rmdir(MINE), 0);
 }
 
 static int open_descriptors(void)
@@ -199,28 +141,28 @@ static void a_chip_removed_while_its_lines_are_held(void **state)
     char sysfs[128];
     (void)rig_chip(&rig_sysfs);
     iris_gpio gpio;
-    make_chip(sysfs);
+    gpio_sim_make(sysfs);
     const int descriptors = open_descriptors();
-    assert_int_equal(iris_gpio_open(&gpio, LABEL, four, 4, 250, 0), IRIS_OK);
+    assert_int_equal(iris_gpio_open(&gpio, GPIO_SIM_LABEL, four, 4, 250, 0), IRIS_OK);
     for (uint32_t turn = 1; turn <= 5; turn++) {
         uint32_t now_ms = turn * 1000;
         assert_int_equal(iris_gpio_set(&gpio, 3, now_ms), IRIS_OK);
         assert_int_equal(levels(sysfs), 3 ^ 0xa);
-        remove_chip();
+        gpio_sim_remove();
         assert_int_equal(iris_gpio_set(&gpio, 1, now_ms), IRIS_ERR_IO);
         assert_string_equal(iris_gpio_problem(&gpio), "the GPIO chip is gone");
         assert_int_equal(gpio.losses, turn);
         assert_int_equal(iris_gpio_set(&gpio, 1, now_ms + 100), IRIS_ERR_IO);
         assert_int_equal(iris_gpio_set(&gpio, 1, now_ms + 250), IRIS_ERR_IO);
         assert_string_equal(iris_gpio_problem(&gpio), "no such GPIO chip");
-        make_chip(sysfs);
+        gpio_sim_make(sysfs);
         assert_int_equal(iris_gpio_safe(&gpio, now_ms + 500), IRIS_OK);
         assert_int_equal(levels(sysfs), 0xe);
         assert_int_equal(gpio.reconnects, turn);
     }
     iris_gpio_close(&gpio);
     assert_int_equal(open_descriptors(), descriptors);
-    remove_chip();
+    gpio_sim_remove();
 }
 
 int main(void)
