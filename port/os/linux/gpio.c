@@ -123,7 +123,7 @@ static int find(iris_gpio *gpio)
 static uint32_t active_low(const iris_gpio *gpio)
 {
     uint32_t lines = 0;
-    for (int32_t i = 0; i < gpio->count; i++) {
+    for (int32_t i = 0; i < gpio->count && i < IRIS_GPIO_LINES_MAX; i++) {
         lines |= (uint32_t)gpio->lines[i].active_low << i;
     }
     return lines;
@@ -132,7 +132,7 @@ static uint32_t active_low(const iris_gpio *gpio)
 static uint32_t safe_values(const iris_gpio *gpio)
 {
     uint32_t values = 0;
-    for (int32_t i = 0; i < gpio->count; i++) {
+    for (int32_t i = 0; i < gpio->count && i < IRIS_GPIO_LINES_MAX; i++) {
         values |= (uint32_t)gpio->lines[i].safe << i;
     }
     return values;

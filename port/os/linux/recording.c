@@ -138,7 +138,7 @@ static iris_status recording_open(void *user, iris_capture_grant *grant, const c
     device->rate_millihz = wanted->rate_millihz;
     device->policy = wanted->policy;
     *grant = (iris_capture_grant){.size = device->size,
-                                  .format = device->format,
+                                  .format = (int32_t)device->format,
                                   .stride = (int32_t)row,
                                   .rate_millihz = wanted->rate_millihz,
                                   .buffers = 2,
