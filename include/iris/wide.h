@@ -60,7 +60,8 @@ int64_t iris_wide_round_shift_sat(iris_wide a, int bits);
  * of a, 0 for 0 / 0. At most 64 steps of a shift and a subtraction. */
 int64_t iris_wide_div_sat(iris_wide a, int64_t b);
 
-/* The largest integer whose square is not above a; 0 for negative ones. a is below 2^124. iris_sqrt_u64 and one division. */
+/* The largest integer whose square is not above a; 0 for negative ones. a is below 2^124. iris_sqrt_u64 and one
+ * division. */
 int64_t iris_wide_sqrt(iris_wide a);
 
 /* Square root, rounded down; 0 for negative numbers. */

@@ -31,7 +31,7 @@ void iris_mat4_scaling(iris_mat4 *m, iris_vec3 factors)
 void iris_mat4_motion(iris_mat4 *m, const iris_mat3 *turn, iris_vec3 center, iris_vec3 move)
 {
     iris_vec3 shift = iris_vec3_sub(iris_vec3_add(center, move), iris_mat3_vector(turn, center));
-    iris_mat4 made;
+    iris_mat4 made = {{0}};
     iris_mat4_translation(&made, shift);
     for (int i = 0; i < 9; i++) {
         made.m[4 * (i / 3) + i % 3] = turn->m[i];
@@ -82,13 +82,13 @@ static void multiply(iris_q32 *product, const iris_q32 *a, const iris_q32 *b, in
 
 void iris_mat4_multiply(iris_mat4 *product, const iris_mat4 *a, const iris_mat4 *b)
 {
-    iris_mat4 made;
+    iris_mat4 made = {{0}};
     multiply(made.m, a->m, b->m, 4);
     *product = made;
 }
 
-/* A matrix whose rows and columns are lengthened until each has a number of 61 bits; and its minors of the rows 0 and 1, and
- * 2 and 3, shortened to 61 bits. */
+/* A matrix whose rows and columns are lengthened until each has a number of 61 bits; and its minors of the rows 0 and
+ * 1, and 2 and 3, shortened to 61 bits. */
 typedef struct {
     int64_t a[4][4];
     int row_bits[4], column_bits[4];
@@ -176,7 +176,7 @@ static iris_q32 quotient(int64_t value, int shift, int64_t by)
 iris_status iris_mat4_invert(iris_mat4 *inverse, const iris_mat4 *m)
 {
     balanced b;
-    iris_mat4 made;
+    iris_mat4 made = {{0}};
     if (!balance(&b, m)) {
         return IRIS_ERR_RANGE;
     }
@@ -225,7 +225,7 @@ void iris_mat3_identity(iris_mat3 *m)
 
 void iris_mat3_multiply(iris_mat3 *product, const iris_mat3 *a, const iris_mat3 *b)
 {
-    iris_mat3 made;
+    iris_mat3 made = {{0}};
     multiply(made.m, a->m, b->m, 3);
     *product = made;
 }

@@ -1,8 +1,8 @@
 /* IRIS-3D - matrices of 4 x 4 numbers: what moves, turns, and scales points. Report, section 3.4.3 (Matrix4x4).
  *
- * A point (x, y, z) is the column (x, y, z, 1): iris_mat4_point(&m, p) is M p, and iris_mat4_multiply(&c, &a, &b) makes of A and
- * B what does B first. Numbers have 32 fraction bits, and those that do not fit are the nearest that do. O(1) each. Null pointers
- * are not allowed. Results may be operands.
+ * A point (x, y, z) is the column (x, y, z, 1): iris_mat4_point(&m, p) is M p, and iris_mat4_multiply(&c, &a, &b)
+ * makes of A and B what does B first. Numbers have 32 fraction bits, and those that do not fit are the nearest that
+ * do. O(1) each. Null pointers are not allowed. Results may be operands.
  */
 #ifndef IRIS_3D_MATRIX_H
 #define IRIS_3D_MATRIX_H

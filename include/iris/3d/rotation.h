@@ -1,8 +1,9 @@
 /* IRIS-3D - rotations: as a matrix, as an axis with an angle, as pan, tilt, and roll, and as a quaternion.
  *
- * A rotation is an iris_mat3 whose rows have length 1 and are perpendicular to each other, and which does not mirror: it turns
- * vectors, iris_mat3_vector(&r, v), positive angles from x to y, from y to z, from z to x. Angles are radians with 32 fraction bits. Report,
- * section 2.7 (pan, tilt, roll). O(1) each. Null pointers are not allowed. Results may be operands.
+ * A rotation is an iris_mat3 whose rows have length 1 and are perpendicular to each other, and which does not mirror:
+ * it turns vectors, iris_mat3_vector(&r, v), positive angles from x to y, from y to z, from z to x. Angles are
+ * radians with 32 fraction bits. Report, section 2.7 (pan, tilt, roll). O(1) each. Null pointers are not allowed.
+ * Results may be operands.
  */
 #ifndef IRIS_3D_ROTATION_H
 #define IRIS_3D_ROTATION_H
@@ -35,8 +36,8 @@ iris_vec3 iris_rotation_to_vector(const iris_mat3 *r);
 
 void iris_rotation_from_angles(iris_mat3 *r, iris_angles angles);
 
-/* tilt is within -pi/2 .. pi/2. pan is 0 where tilt is nearer than 2^-20 to one of these ends: there only the sum of pan and
- * roll counts. 128 units off at most as a rotation, near the ends 2^-20. */
+/* tilt is within -pi/2 .. pi/2. pan is 0 where tilt is nearer than 2^-20 to one of these ends: there only the sum of
+ * pan and roll counts. 128 units off at most as a rotation, near the ends 2^-20. */
 iris_angles iris_rotation_to_angles(const iris_mat3 *r);
 
 /* A quaternion of any length but 0, which is no rotation. */
