@@ -208,7 +208,7 @@ static void damaged_frames_are_counted(void **state)
     int64_t start_ms = now_ms();
     iris_frame frame;
     assert_int_equal(iris_capture_next(&frame, &capture, 30), IRIS_ERR_TIMEOUT);
-    assert_in_range(now_ms() - start_ms, 29, 1000);
+    assert_in_range(now_ms() - start_ms, 29, 3000);
     iris_capture_close(&capture);
 }
 
@@ -243,7 +243,7 @@ static void waits_have_an_end(void **state)
     fake.waiting = 0;
     int64_t start_ms = now_ms();
     assert_int_equal(iris_capture_next(&frame, &capture, 40), IRIS_ERR_TIMEOUT);
-    assert_in_range(now_ms() - start_ms, 39, 1000);
+    assert_in_range(now_ms() - start_ms, 39, 3000);
     assert_int_equal(iris_capture_next(&frame, &capture, 0), IRIS_ERR_TIMEOUT);
     fake.waiting = 1;
     next_and_give(0);
@@ -321,7 +321,7 @@ static void a_lost_source_comes_back(void **state)
     assert_false(fake.is_open);
     int64_t start_ms = now_ms();
     assert_int_equal(iris_capture_next(&frame, &capture, 10), IRIS_ERR_IO); /* too early to try */
-    assert_in_range(now_ms() - start_ms, 9, 1000);
+    assert_in_range(now_ms() - start_ms, 9, 3000);
     assert_int_equal(fake.opens, 1);
     fake.broken = 0;
     int turns = 0;
@@ -363,7 +363,7 @@ static void frames_may_be_borrowed_while_the_source_is_lost(void **state)
     assert_true(fake.is_open); /* their memory is there */
     int64_t start_ms = now_ms();
     assert_int_equal(iris_capture_next(&frame, &capture, 20), IRIS_ERR_IO);
-    assert_in_range(now_ms() - start_ms, 19, 1000);
+    assert_in_range(now_ms() - start_ms, 19, 3000);
     assert_int_equal(iris_capture_give(&capture, &second), IRIS_ERR_IO);
     assert_int_equal(iris_capture_give(&capture, &second), IRIS_ERR_ARG);
     assert_true(fake.is_open);

@@ -288,7 +288,7 @@ static void short_and_damaged_frames_are_not_delivered(void **state)
         if (frames[i].good) {
             one_frame(&frame);
         } else {
-            assert_int_equal(iris_capture_next(&frame, &camera, 5), IRIS_ERR_TIMEOUT);
+            assert_int_equal(iris_capture_next(&frame, &camera, 0), IRIS_ERR_TIMEOUT);
             assert_int_equal(fake.queued, 0xf); /* the buffer is back at once */
             fake.answer.bytesused = PICTURE;
             fake.answer.flags = 0;
@@ -345,6 +345,41 @@ static void pixels_may_begin_later(void **state)
     assert_int_equal(camera.damaged, 1);
 }
 
+static void colors_behind_the_luma_have_to_be_there(void **state)
+{
+    (void)state;
+    static const struct {
+        uint32_t used;
+        int good;
+    } frames[] = {{W * H + W * H / 2, 1}, {W * H + W * H / 2 - 1, 0},
+                  {W * H + 1, 0},         {W * H, 0},
+                  {W * H - 1, 0},         {1, 0}};
+    fake.offers[0] = fake.pix.pixelformat = V4L2_PIX_FMT_NV12;
+    fake.offers[1] = 0;
+    fake.pix.bytesperline = W;
+    for (size_t i = 0; i < sizeof frames / sizeof frames[0]; i++) {
+        iris_frame frame;
+        opens();
+        fake.ready = 1;
+        fake.answer.bytesused = frames[i].used;
+        if (frames[i].good) {
+            one_frame(&frame);
+            assert_ptr_equal(frame.chroma.data, (uint8_t *)frame.image.data + (size_t)W * H);
+            assert_int_equal(frame.chroma.stride, W);
+            assert_int_equal(iris_image_check(&frame.chroma), IRIS_OK);
+        } else {
+            assert_int_equal(iris_capture_next(&frame, &camera, 0), IRIS_ERR_TIMEOUT);
+            assert_int_equal(camera.damaged, 1);
+        }
+        iris_capture_close(&camera);
+    }
+    static const uint32_t lengths[] = {W * H / 2, W * H, W * H + 1, W * H + W * H / 2 - 1};
+    for (int i = 0; i < 4; i++) {
+        fake.length = lengths[i];
+        refused(IRIS_ERR_RANGE, "too small");
+    }
+}
+
 static void a_buffer_that_the_driver_does_not_have_breaks_the_stream(void **state)
 {
     (void)state;
@@ -399,7 +434,7 @@ static void waiting_ends_in_time(void **state)
         fake.poll_error = i == 2 ? EINTR : 0;
         int64_t start_ms = now_ms();
         assert_int_equal(iris_capture_next(&frame, &camera, 60), IRIS_ERR_TIMEOUT);
-        assert_in_range(now_ms() - start_ms, 59, 1000);
+        assert_in_range(now_ms() - start_ms, 59, 3000);
         assert_true(fake.requests < 100 || i == 2); /* it does not spin */
         fake.poll_error = 0;
         fake.ready = 1;
@@ -519,6 +554,7 @@ int main(void)
         CASE(buffers_may_be_few_or_many),
         CASE(short_and_damaged_frames_are_not_delivered),
         CASE(pixels_may_begin_later),
+        CASE(colors_behind_the_luma_have_to_be_there),
         CASE(a_buffer_that_the_driver_does_not_have_breaks_the_stream),
         CASE(times_may_be_anything),
         CASE(waiting_ends_in_time),

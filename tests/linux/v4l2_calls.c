@@ -159,7 +159,7 @@ static void every_call_may_be_the_last_that_works(void **state)
             iris_frame frame;
             int64_t start_ms = now_ms();
             iris_status status = iris_capture_next(&frame, &camera, 20);
-            assert_in_range(now_ms() - start_ms, 0, 1000);
+            assert_in_range(now_ms() - start_ms, 0, 3000);
             if (frames < FRAMES) {
                 assert_int_equal(status, IRIS_ERR_IO);
                 assert_non_null(strstr(iris_capture_problem(&camera), "gone"));

@@ -65,7 +65,6 @@ static void write_format(struct v4l2_format *format, iris_size size, const video
         pix->field = V4L2_FIELD_NONE;
         pix->bytesperline = stride;
         pix->sizeimage = 0;
-        pix->priv = V4L2_PIX_FMT_PRIV_MAGIC; /* the fields behind it count */
     }
 }
 
