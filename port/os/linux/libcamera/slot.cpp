@@ -25,8 +25,7 @@ void mapping::map(iris_image *view, const libcamera::FrameBuffer::Plane &plane, 
 {
     const size_t length = static_cast<size_t>(plane.offset) + plane.length;
     const off_t there = lseek(plane.fd.get(), 0, SEEK_END); /* below 0: a buffer that does not say */
-    if (plane.offset == libcamera::FrameBuffer::Plane::kInvalidOffset ||
-        (there >= 0 && static_cast<size_t>(there) < length)) {
+    if (there >= 0 && static_cast<size_t>(there) < length) {
         throw failure(IRIS_ERR_DATA, "a buffer of the camera is smaller than it says");
     }
     void *mapped = mmap(nullptr, length, PROT_READ, MAP_SHARED, plane.fd.get(), 0);
