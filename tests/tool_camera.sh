@@ -82,11 +82,65 @@ rm frames/f3a.pgm
 [ $? -eq 1 ] && [ "$(wc -l < out)" -eq 10 ] && grep -q '^iris follow: -: neither BMP nor PGM/PPM$' err
 say $? "garbage behind the pictures"
 
+# --- iris capture ---
+first_argument=capture
+works "frames into a folder" --device frames -o seen/new
+[ "$(ls seen/new | wc -l)" -eq 10 ] && grep -q '^frames  64x48 gray  10 frames, 0 dropped, 0 skipped, 0 damaged,' out
+say $? "frames into a folder: what was granted and counted"
+"$iris" convert seen/new/frame_000003.bmp -o three.pgm && "$iris" convert frames/f2.pgm -o two.pgm && cmp -s two.pgm three.pgm
+say $? "frames into a folder: the same pixels"
+works "two frames in JSON" --json --device frames --frames 2 --rate 100 -o seen/two
+[ "$(wc -l < out)" -eq 3 ] && [ "$(ls seen/two | wc -l)" -eq 2 ] &&
+    sed -n 2p out | grep -Eq '^\{"frame":2,"time_us":[0-9]+,"file":"seen/two/frame_000002.bmp"\}$' &&
+    tail -1 out | grep -q '^{"granted":{"w":64,"h":48,"format":"gray","stride":64,"rate":100,"matrix":null,"range":"full"},"frames":2,"dropped":0,'
+say $? "two frames in JSON: each, and what was granted"
+"$iris" capture --device frames -o - 2> err > out
+[ "$(sed -n 1p out)" = P5 ] && [ "$(wc -c < out)" -eq $((10 * (3072 + 13))) ]
+say $? "frames to standard output"
+"$iris" capture --device frames -o - 2> err | "$iris" follow --json - 2>> err | sed 's/"file":"[^"]*",//' > out
+cmp -s out wanted && [ ! -s err ]; say $? "capture through a pipe into follow"
+works "in color" --device frames --format rgb --frames 1 --raw -o seen/raw
+[ "$(wc -c < seen/raw/frame_000001.raw)" -eq 9216 ]; say $? "raw bytes in color"
+"$iris" convert --raw rgb:64x48 seen/raw/frame_000001.raw -o raw.ppm && "$iris" gray raw.ppm -o raw.pgm
+"$iris" convert frames/f0.pgm -o first.pgm && cmp -s raw.pgm first.pgm; say $? "raw bytes are read back"
+refuses "capture without a camera" 2 '^iris capture: no --device ' -o seen
+refuses "capture without an output" 2 '^iris capture: no output ' --device frames
+refuses "capture with inputs" 2 '^iris capture: the camera is given by --device$' --device frames -o seen frames
+refuses "JSON among pictures" 2 '^iris capture: --json: not together with -o -' --json --device frames -o -
+refuses "a rate that is none" 2 '^iris capture: --rate: frames per second, ' --device frames --rate 0 -o seen
+refuses "a timeout that is none" 2 '^iris capture: --timeout: ' --device frames --timeout 0 -o seen
+refuses "one picture for all frames" 2 '^iris capture: -o: a folder ' --device frames -o one.bmp
+: > plain
+refuses "an output that is a file" 1 "^iris capture: plain: " --device frames -o plain
+refuses "capture of nothing" 1 '^iris capture: empty: no .bmp, ' --device empty -o seen
+mkfifo silent
+exec 4<> silent
+cat all.pgm >&4
+timeout 10 "$iris" capture --device - --timeout 300 -o seen/silent < silent > out 2> err
+[ $? -eq 1 ] && grep -q '^iris capture: -: no frame for 300 ms$' err && [ "$(ls seen/silent | wc -l)" -eq 10 ]
+say $? "frames that do not come end the capture"
+exec 4>&-
+
+# --- iris cameras, iris controls: what there is without any, or with whatever this machine has ---
+first_argument=cameras
+refuses "cameras takes no input" 2 '^iris cameras: x: ' x
+run --json
+{ [ $code -eq 0 ] && grep -q '^{"device":"' out; } || { [ $code -eq 1 ] && grep -q '^iris cameras: no camera is there ' err; }
+say $? "cameras, or that there is none"
+first_argument=controls
+refuses "controls of nothing" 2 '^iris controls: no --device ' gain=1
+refuses "controls of no camera" 1 '^iris controls: /dev/null: ' --device /dev/null
+refuses "controls of what is not there" 1 '^iris controls: /dev/video250: ' --device /dev/video250
+for word in gain gain= =3; do
+    refuses "controls: '$word'" 2 "^iris controls: $word: NAME=VALUE" --device /dev/video250 "$word"
+done
+first_argument=
+
 # --- it ends when it is told to; `hold` is a pipe that does not end ---
 mkfifo hold
 exec 3<> hold
 for signal in INT TERM; do
     cat all.pgm >&3
-    timeout --preserve-status -k 5 -s $signal 0.5 "$iris" follow --camera - < hold > out 2> err
+    timeout --preserve-status -k 5 -s $signal 1.5 "$iris" follow --camera - < hold > out 2> err
     [ $? -eq 0 ] && [ "$(wc -l < out)" -eq 10 ]; say $? "SIG$signal ends it cleanly"
 done

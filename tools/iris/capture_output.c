@@ -134,6 +134,9 @@ void capture_output_end(const capture_output *output, const char *device, const 
         json_close(&json, '}');
         return;
     }
+    if (capture->frames == 0) {
+        return;
+    }
     one_line(stdout, device);
     printf("  %dx%d %s", (int)granted->size.w, (int)granted->size.h, camera_format_name(granted->format));
     if (granted->rate_millihz > 0) {

@@ -8,6 +8,16 @@ $(OUT)/iris-demo: $(SIM_OBJ) $(LIB)
 
 demo: $(OUT)/iris-demo ## drives a simulated robot around a track by its camera alone
 	$< --out $(BUILD)/demo
-.PHONY: demo
+
+# The course's frames, as they are and enlarged, play as a camera.
+LATENCY_RATES ?= 30 100
+latency: all $(OUT)/iris-demo ## time from a frame until its command, by percentiles: rendered frames as a camera, LATENCY_RATES="30 100"
+	@rm -rf $(BUILD)/latency
+	@$(OUT)/iris-demo --frames $(BUILD)/latency/160x120
+	@mkdir $(BUILD)/latency/640x480
+	@$(TOOL) convert --resize 640x480 $(BUILD)/latency/160x120 -o $(BUILD)/latency/640x480
+	@for size in 160x120 640x480; do for rate in $(LATENCY_RATES); do printf '%s at %3d/s  ' $$size $$rate; \
+	    $(TOOL) follow --camera $(BUILD)/latency/$$size --rate $$rate --timing 2>&1 > /dev/null | grep '^frame to'; done; done
+.PHONY: demo latency
 
 verify-scripts: $(OUT)/iris-demo
