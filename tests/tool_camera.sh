@@ -54,7 +54,7 @@ say $? "timing: percentiles in order"
 run --camera frames --timing
 [ $code -eq 0 ] && grep -Eq '^frame to command, us: p50 [0-9]+  p90 [0-9]+  p99 [0-9]+  max [0-9]+  \(10 frames\)$' err
 say $? "timing in text"
-(cat all.pgm; sleep 0.5; cat all.pgm) | timeout 10 "$iris" follow --camera - --rate 1000 > out 2> err
+(cat all.pgm; sleep 1.5; cat all.pgm) | timeout 10 "$iris" follow --camera - --rate 1000 > out 2> err
 grep -q '^iris follow: -: no frame comes; the robot stands still until there are frames again$' err &&
     grep -q '^iris follow: -: frames again$' err
 say $? "frames that stay away are said, and that they are back"
