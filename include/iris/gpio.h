@@ -44,7 +44,9 @@ typedef struct {
     const char *name; /* null when closed */
     int32_t count;
     int32_t reconnect_ms;
-    uint32_t tried_ms; /* when the chip was lost, or last looked for */
+    uint32_t tried_ms;   /* when the chip was lost, or last looked for */
+    uint32_t active_low; /* a bit for each line, as in values */
+    uint32_t safe;
     iris_gpio_line lines[IRIS_GPIO_LINES_MAX];
     void *chip;                      /* libgpiod's; null while the chip is away */
     void *held[IRIS_GPIO_LINES_MAX]; /* API 1: a line each; API 2: the request, first */

@@ -120,24 +120,6 @@ static int find(iris_gpio *gpio)
     return error == 0 || error == ENOSYS ? error : forbidden ? EACCES : ENOENT;
 }
 
-static uint32_t active_low(const iris_gpio *gpio)
-{
-    uint32_t lines = 0;
-    for (int32_t i = 0; i < gpio->count && i < IRIS_GPIO_LINES_MAX; i++) {
-        lines |= (uint32_t)gpio->lines[i].active_low << i;
-    }
-    return lines;
-}
-
-static uint32_t safe_values(const iris_gpio *gpio)
-{
-    uint32_t values = 0;
-    for (int32_t i = 0; i < gpio->count && i < IRIS_GPIO_LINES_MAX; i++) {
-        values |= (uint32_t)gpio->lines[i].safe << i;
-    }
-    return values;
-}
-
 /* Finds the chip and takes the lines, at these values. */
 static iris_status connect_lines(iris_gpio *gpio, uint32_t values, uint32_t now_ms)
 {
@@ -155,7 +137,7 @@ static iris_status connect_lines(iris_gpio *gpio, uint32_t values, uint32_t now_
             return fail(gpio, ERANGE);
         }
     }
-    error = iris_gpiod_request(gpio, values ^ active_low(gpio));
+    error = iris_gpiod_request(gpio, values ^ gpio->active_low);
     if (error != 0) {
         return fail(gpio, error);
     }
@@ -193,6 +175,8 @@ iris_status iris_gpio_open(iris_gpio *gpio, const char *chip, const iris_gpio_li
     gpio->reconnect_ms = reconnect_ms;
     for (int32_t i = 0; i < count; i++) {
         gpio->lines[i] = lines[i];
+        gpio->active_low |= (uint32_t)lines[i].active_low << i;
+        gpio->safe |= (uint32_t)lines[i].safe << i;
         values |= (uint32_t)lines[i].initial << i;
     }
     return connect_lines(gpio, values, now_ms);
@@ -212,7 +196,7 @@ iris_status iris_gpio_set(iris_gpio *gpio, uint32_t values, uint32_t now_ms)
         gpio->reconnects += status == IRIS_OK;
         return status;
     }
-    int error = iris_gpiod_set(gpio, values ^ active_low(gpio));
+    int error = iris_gpiod_set(gpio, values ^ gpio->active_low);
     if (error != 0) {
         gpio->tried_ms = now_ms;
         gpio->losses++;
@@ -224,7 +208,7 @@ iris_status iris_gpio_set(iris_gpio *gpio, uint32_t values, uint32_t now_ms)
 
 iris_status iris_gpio_safe(iris_gpio *gpio, uint32_t now_ms)
 {
-    return gpio ? iris_gpio_set(gpio, safe_values(gpio), now_ms) : IRIS_ERR_ARG;
+    return gpio ? iris_gpio_set(gpio, gpio->safe, now_ms) : IRIS_ERR_ARG;
 }
 
 void iris_gpio_close(iris_gpio *gpio)
@@ -233,8 +217,8 @@ void iris_gpio_close(iris_gpio *gpio)
         return;
     }
     if (gpio->chip) {
-        (void)iris_gpiod_set(gpio, safe_values(gpio) ^ active_low(gpio));
-        gpio->values = safe_values(gpio);
+        (void)iris_gpiod_set(gpio, gpio->safe ^ gpio->active_low);
+        gpio->values = gpio->safe;
         iris_gpiod_close(gpio);
     }
     gpio->name = NULL;

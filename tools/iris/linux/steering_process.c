@@ -241,7 +241,7 @@ int steering_process_run(const steering_options *options, int link)
         complain(NULL, is_told_to_end ? "told to end: the robot is stopped"
                                       : "ended without a word: the robot is stopped");
     }
-    exit_code = stop_robot() ? EXIT_DONE : EXIT_BAD_DATA;
+    exit_code = stop_robot() && robot.has_farewell ? EXIT_DONE : EXIT_BAD_DATA;
     close_all();
     if (robot.dog.expirations > 1) {
         complain("--watchdog", "the robot was stopped %lu times", (unsigned long)robot.dog.expirations);
