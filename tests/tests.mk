@@ -208,20 +208,19 @@ verify-fuzz: $(FUZZ_BIN)
 
 # --- Linux: an arm64 kernel with real drivers in QEMU, which tests/rig/prepare makes and tests/rig/boot starts ---
 
-RIG_BIN    := $(patsubst tests/%.c,$(OUT)/tests/%,$(wildcard tests/linux/*.c tests/rig/guest/*.c))
-RIG_LIST   := tests/rig/guest/rig.sh $(RIG_BIN) $(filter-out %/rig.sh,$(wildcard tests/rig/guest/*.sh))
-RIG_GPIO   := $(filter $(OUT)/tests/linux/gpio% $(OUT)/tests/rig/guest/gpio% tests/rig/guest/gpio%,$(RIG_LIST))
-verify-rig: all $(RIG_BIN)
-	@tests/rig/boot $(RIG) $(OUT) $(RIG_LIST)
-verify-rig-gpio: all $(filter $(RIG_BIN),$(RIG_GPIO))
-	@tests/rig/boot $(RIG) $(OUT) $(RIG_GPIO)
-RIG_SOAK   := $(patsubst tests/%.c,$(OUT)/tests/%,$(wildcard tests/rig/soak/*.c)) $(wildcard tests/rig/soak/*.sh)
-verify-soak: all $(filter $(OUT)/%,$(RIG_SOAK))
-	@tests/rig/boot --soak $(RIG) $(OUT) $(RIG_SOAK)
-RUN ?= tests/rig/guest/rig.sh
-run-rig: all $(patsubst tests/%.c,$(OUT)/tests/%,$(filter %.c,$(RUN)))
-	@tests/rig/boot $(if $(filter tests/rig/soak/%,$(RUN)),--soak) $(RIG) $(OUT) $(patsubst tests/%.c,$(OUT)/tests/%,$(RUN))
-.PHONY: verify-rig verify-rig-gpio verify-soak run-rig
+# What speaks to the host takes the host's time, all else the guest's own.
+in_rig      = $(patsubst tests/%.c,$(OUT)/tests/%,$(1))
+RIG_SRC    := $(wildcard tests/linux/*.c tests/rig/guest/*.c tests/rig/guest/*.sh)
+RIG_HOST   := $(shell grep -lE 'RIG_(USB_)?SERIAL' $(RIG_SRC))
+RIG_GPIO   := $(filter tests/linux/gpio% tests/rig/guest/gpio%,$(RIG_SRC))
+RIG_SOAK   := $(wildcard tests/rig/soak/*.c tests/rig/soak/*.sh)
+RUN        ?= tests/rig/guest/rig.sh
+RUN_SLOW   := $(filter $(RIG_HOST),$(RUN))
+RUN_QUICK  := $(filter-out $(RIG_HOST),$(RUN))
+run-rig: all $(filter $(OUT)/%,$(call in_rig,$(RUN)))
+	$(if $(RUN_SLOW),@tests/rig/boot $(RIG) $(OUT) $(call in_rig,$(RUN_SLOW)))
+	$(if $(RUN_QUICK),@tests/rig/boot --own-clock $(RIG) $(OUT) $(call in_rig,$(RUN_QUICK)))
+.PHONY: run-rig
 
 # --- checks of the sources, examples, and the scripts of tests/*.sh ---
 
@@ -317,10 +316,10 @@ $(eval $(call layer,aarch64,,aarch64-linux-gnu-gcc qemu-aarch64 $(A64_ROOT)/usr/
 $(eval $(call layer,armv7,,arm-linux-gnueabihf-gcc qemu-arm $(A32_ROOT)/usr/include/cmocka.h,$(A32) verify-host))
 $(eval $(call layer,windows,,x86_64-w64-mingw32-gcc $(WINE) $(WIN_ROOT)/usr/include/cmocka.h,$(WIN) verify-windows))
 $(eval $(call layer,big-endian,,s390x-linux-gnu-gcc qemu-s390x $(BIG_ROOT)/usr/include/cmocka.h,$(BIG) verify-host))
-$(eval $(call layer,linux,,$(RIG_NEEDS),$(ON_RIG) verify-rig))
-$(eval $(call layer,linux-checked,,$(RIG_NEEDS),$(ON_RIG) CHECKED=1 verify-rig))
-$(if $(RIG_SOAK),$(eval $(call layer,linux-soak,,$(RIG_NEEDS),$(ON_RIG) verify-soak)))
-$(if $(RIG_GPIO),$(eval $(call layer,linux-gpiod2,,$(RIG_NEEDS) $(RIG)/root/opt/gpiod2,$(ON_RIG_2) verify-rig-gpio)))
+$(eval $(call layer,linux,,$(RIG_NEEDS),$(ON_RIG) run-rig RUN="$(RIG_SRC)"))
+$(eval $(call layer,linux-checked,,$(RIG_NEEDS),$(ON_RIG) CHECKED=1 run-rig RUN="$(RIG_SRC)"))
+$(if $(RIG_SOAK),$(eval $(call layer,linux-soak,,$(RIG_NEEDS),$(ON_RIG) run-rig RUN="$(RIG_SOAK)")))
+$(if $(RIG_GPIO),$(eval $(call layer,linux-gpiod2,,$(RIG_NEEDS) $(RIG)/root/opt/gpiod2,$(ON_RIG_2) run-rig RUN="$(RIG_GPIO)")))
 $(eval $(call layer,cortex-m4,,arm-none-eabi-gcc qemu-system-arm,$(M4) verify-target))
 $(eval $(call layer,cortex-m7,,arm-none-eabi-gcc qemu-system-arm,$(M7) verify-modules))
 $(eval $(call layer,cortex-m0,,arm-none-eabi-gcc qemu-system-arm,$(M0) verify-target verify-modules))
