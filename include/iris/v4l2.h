@@ -1,6 +1,7 @@
 /* IRIS - cameras of the Linux kernel (Video4Linux) as a source of frames.
  *
- * The path is that of a device, such as "/dev/video0". Frames lie in the driver's own memory, mapped for reading only:
+ * The path is that of a device, such as "/dev/video0", or a link to one: those in /dev/v4l/by-id find a camera again that
+ * came back under another number. Frames lie in the driver's own memory, mapped for reading only:
  * a program that writes to a frame ends there.
  *
  * What is read, in the order in which format 0 (any) takes what the camera offers: YUYV, UYVY, NV12 (in one piece of

@@ -26,17 +26,22 @@ int ioctl(int handle, unsigned long request, ...)
     return result;
 }
 
-static uint32_t noise(uint32_t *state)
+static uint64_t noise(uint64_t *state)
 {
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 24;
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    return *state ^= *state << 17;
 }
 
-/* A number for a row, from all its bytes. */
+/* A number for a row, from all its bytes: eight at a time, as every row here has. */
 static uint64_t mix(uint64_t sum, const uint8_t *row, size_t bytes)
 {
-    for (size_t i = 0; i < bytes; i++) {
-        sum = (sum ^ row[i]) * 0x100000001b3u;
+    assert_int_equal(bytes % 8, 0);
+    for (size_t i = 0; i < bytes; i += 8) {
+        uint64_t word;
+        memcpy(&word, row + i, 8);
+        sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
+        sum ^= sum >> 29;
     }
     return sum;
 }
@@ -72,11 +77,12 @@ static void views(iris_image *image, iris_image *chroma, const video_sender *sen
 
 static void fill(uint64_t sums[SENDER_PICTURES][2], const video_sender *sender, int32_t format)
 {
-    uint32_t state = 7;
+    uint64_t state = 7;
     for (int i = 0; i < SENDER_PICTURES; i++) {
         for (int k = 0; k < sender->planes; k++) {
-            for (size_t b = 0; b < sender->bytes[i][k]; b++) {
-                sender->memory[i][k][b] = (uint8_t)noise(&state);
+            for (size_t b = 0; b + 8 <= sender->bytes[i][k]; b += 8) {
+                uint64_t word = noise(&state);
+                memcpy(sender->memory[i][k] + b, &word, 8);
             }
         }
         iris_image image, chroma;
