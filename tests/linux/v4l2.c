@@ -178,6 +178,21 @@ static void counts_and_times_may_wrap(void **state)
     is_healthy();
 }
 
+static void a_stream_that_breaks_is_started_again(void **state)
+{
+    (void)state;
+    int took;
+    opens(&vivid_wanted);
+    (void)vivid_take(&took, &camera, 2, 3000);
+    vivid_set(camera_path, "inject-fatal-streaming-error", 1);
+    (void)vivid_take(&took, &camera, 5, 3000);
+    assert_int_equal(took, 5);
+    assert_int_equal(camera.restarts, 1);
+    assert_int_equal(camera.returns, 0); /* without opening it again */
+    iris_capture_close(&camera);
+    is_healthy();
+}
+
 /* A source that is the camera, but for what happens to it at one point of the session. */
 typedef enum { BEFORE_OPEN, BEFORE_START, STREAMING, BORROWED, BEFORE_STOP, BEFORE_CLOSE, POINTS } point;
 
@@ -383,10 +398,15 @@ int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, close_all, vivid_teardown)
     const struct CMUnitTest tests[] = {
-        CASE(frames_follow_each_other),           CASE(the_latest_is_new),
-        CASE(what_comes_nearest_is_granted),      CASE(colors_are_told),
-        CASE(a_second_user_is_told_so),           CASE(counts_and_times_may_wrap),
-        CASE(a_camera_that_is_unplugged_returns), CASE(every_fault_at_every_point_is_survived),
+        CASE(frames_follow_each_other),
+        CASE(the_latest_is_new),
+        CASE(what_comes_nearest_is_granted),
+        CASE(colors_are_told),
+        CASE(a_second_user_is_told_so),
+        CASE(counts_and_times_may_wrap),
+        CASE(a_camera_that_is_unplugged_returns),
+        CASE(every_fault_at_every_point_is_survived),
+        CASE(a_stream_that_breaks_is_started_again),
         CASE(a_signal_that_is_lost_is_survived),
     };
     const struct CMUnitTest none[] = {cmocka_unit_test(needs_the_virtual_machine)};

@@ -474,6 +474,28 @@ static void a_buffer_that_is_not_taken_is_offered_again(void **state)
     }
 }
 
+static void a_stream_that_breaks_is_started_again(void **state)
+{
+    (void)state;
+    static const int errors[] = {EIO, EPIPE, EINVAL};
+    iris_frame frame, held;
+    for (int i = 0; i < 3; i++) {
+        opens();
+        one_frame(&held);
+        fake.failing = VIDIOC_DQBUF;
+        fake.error = errors[i];
+        fake.times = 1;
+        one_frame(&frame);
+        assert_int_not_equal(frame.buffer, held.buffer);
+        assert_int_equal(camera.restarts, 1);
+        assert_int_equal(camera.returns, 0);
+        assert_int_equal(iris_capture_give(&camera, &held), IRIS_OK);
+        assert_int_equal(iris_capture_give(&camera, &frame), IRIS_OK);
+        assert_int_equal(fake.queued, 0xf);
+        iris_capture_close(&camera);
+    }
+}
+
 static void requests_that_fail_are_said_in_words(void **state)
 {
     (void)state;
@@ -559,6 +581,7 @@ int main(void)
         CASE(times_may_be_anything),
         CASE(waiting_ends_in_time),
         CASE(a_buffer_that_is_not_taken_is_offered_again),
+        CASE(a_stream_that_breaks_is_started_again),
         CASE(requests_that_fail_are_said_in_words),
         CASE(what_is_no_camera_is_refused),
     };
