@@ -32,8 +32,8 @@ static void is_healthy(void)
     int took;
     opens(&vivid_wanted);
     assert_int_equal(camera.granted.buffers, 4);
-    (void)vivid_take(&took, &camera, 5, 3000);
-    assert_int_equal(took, 5);
+    (void)vivid_take(&took, &camera, 3, 3000);
+    assert_int_equal(took, 3);
     assert_int_equal(camera.restarts + camera.returns + camera.damaged, 0);
     iris_capture_close(&camera);
 }
@@ -285,7 +285,7 @@ static void opens_at_last(const fault *happens, point at)
 static void endures(const fault *happens)
 {
     int took;
-    (void)vivid_take(&took, &camera, 6, 500);
+    (void)vivid_take(&took, &camera, 6, 300);
     assert_true(happens->value != 100 || took <= 3); /* those that waited */
     vivid_set(camera_path, happens->control, 0);
 }
