@@ -22,7 +22,7 @@ typedef struct {
 #define STEERING_STOP_MOST_MS 1000
 
 /* Lines stay safe so long before they are given back: long enough for a relay. */
-#define STEERING_HOLD_MS 50
+#define STEERING_HOLD_MS 100
 
 static inline int64_t steering_clock_us(void)
 {
