@@ -1,16 +1,12 @@
 #include "iris/xt/birdseye.h"
 
-#include <string.h>
-
-#include "../foundation/kernel.h"
 #include "../foundation/views.h"
 #include "floor_parts.h"
+#include "runs.h"
 
-#define RUN_BITS 7 /* pixels between two exact positions: 2^RUN_BITS at most */
-#define PIECE                                                                                                \
-    16 /* pixels that are drawn at once: without looking for the picture's edge when it is not there */
-#define BEND  8192 /* 4/32 of a pixel, 16 fraction bits: see may_join */
-#define ENTRY 45   /* bits of a number that is multiplied with a pixel's x or y */
+#define RUN_BITS 7    /* pixels between two exact positions: 2^RUN_BITS at most */
+#define BEND     8192 /* 4/32 of a pixel, 16 fraction bits: see may_join */
+#define ENTRY    45   /* bits of a number that is multiplied with a pixel's x or y */
 
 iris_status iris_birdseye_init(iris_birdseye *birdseye, const iris_floor *floor,
                                const iris_birdseye_window *window)
@@ -61,13 +57,6 @@ typedef struct {
     int bits; /* to try: the next run may be of 2^bits pixels */
     knot here;
 } walk;
-
-/* Consecutive pixels of the map, whose positions are as far from each other. */
-typedef struct {
-    int32_t n;
-    int exists;
-    iris_q16 x, y, dx, dy;
-} run;
 
 static int bits_of(int64_t value)
 {
@@ -131,7 +120,7 @@ static int may_join(const knot *a, const knot *b)
 }
 
 /* The next run; 0 behind the row's end. */
-static int next_run(run *to, walk *w)
+static int next_run(iris_run *to, walk *w)
 {
     if (w->x >= w->w) {
         return 0;
@@ -143,7 +132,7 @@ static int next_run(run *to, walk *w)
     }
     const knot *here = &w->here;
     int32_t n = 1 << bits;
-    *to = (run){.n = n, .exists = here->exists, .x = here->x, .y = here->y};
+    *to = (iris_run){.n = n, .exists = here->exists, .x = here->x, .y = here->y};
     if (bits > 0) {
         to->dx = (iris_q16)iris_round_shift((int64_t)there.x - here->x, bits);
         to->dy = (iris_q16)iris_round_shift((int64_t)there.y - here->y, bits);
@@ -155,125 +144,13 @@ static int next_run(run *to, walk *w)
     return 1;
 }
 
-/* The position of the run's pixel i: between two knots, so that it fits. */
-static iris_place place_in(const run *r, int32_t i)
-{
-    return (iris_place){(iris_q16)(r->x + (int64_t)i * r->dx), (iris_q16)(r->y + (int64_t)i * r->dy)};
-}
-
-/* 256 steps between the pixels; 0 outside of the picture's pixels, whose edges are half a pixel around their centers. */
-static int sample_at(int32_t *whole, int32_t *next, uint32_t *part, iris_q16 position, int32_t side)
-{
-    int64_t at = (int64_t)position + 128;
-    if (at < -32768 || at >= (int64_t)side * 65536 - 32768) {
-        return 0;
-    }
-    int32_t last = (side - 1) * 65536;
-    int32_t inside = at < 0 ? 0 : at > last ? last : (int32_t)at;
-    *whole = inside >> 16;
-    *next = *whole + (*whole < side - 1);
-    *part = (uint32_t)(inside >> 8) & 255;
-    return 1;
-}
-
-static uint8_t blend(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t right, uint32_t down)
-{
-    uint32_t top = a * (256 - right) + b * right, bottom = c * (256 - right) + d * right;
-    return (uint8_t)((top * (256 - down) + bottom * down + 32768) >> 16);
-}
-
-/* Any run that exists. */
-static void draw_edge(uint8_t *to, const run *r, const iris_image *src, int channels, uint8_t fill)
-{
-    for (int32_t i = 0; i < r->n; i++, to += channels) {
-        int32_t x, y, x_next, y_next;
-        uint32_t right, down;
-        iris_place at = place_in(r, i);
-        if (!sample_at(&x, &x_next, &right, at.x_q16, src->w) ||
-            !sample_at(&y, &y_next, &down, at.y_q16, src->h)) {
-            memset(to, fill, (size_t)channels);
-            continue;
-        }
-        const uint8_t *above = iris_image_row(src, y), *below = iris_image_row(src, y_next);
-        for (int c = 0; c < channels; c++) {
-            to[c] = blend(above[x * channels + c], above[x_next * channels + c], below[x * channels + c],
-                          below[x_next * channels + c], right, down);
-        }
-    }
-}
-
-/* A run that is inside of the picture with all its neighbors. */
-static void draw_gray(uint8_t *to, const run *r, const iris_image *src)
-{
-    const iris_row_way way = {src->data, src->stride, r->x + 128, r->y + 128, r->dx, r->dy};
-    iris_row_along_u8(to, &way, r->n);
-}
-
-static void draw_color(uint8_t *to, const run *r, const iris_image *src)
-{
-    int32_t x = r->x + 128, y = r->y + 128;
-    const int32_t dx = r->dx, dy = r->dy, n = r->n;
-    const uint8_t *pixels = src->data;
-    const ptrdiff_t stride = src->stride;
-    for (int32_t i = 0; i < n; i++, x += dx, y += dy, to += 3) {
-        const uint8_t *above = pixels + (y >> 16) * stride + (x >> 16) * 3, *below = above + stride;
-        uint32_t right = (uint32_t)(x >> 8) & 255, down = (uint32_t)(y >> 8) & 255;
-        for (int c = 0; c < 3; c++) {
-            to[c] = blend(above[c], above[3 + c], below[c], below[3 + c], right, down);
-        }
-    }
-}
-
-/* Is the position so far inside that the pixels to the right and below exist, rounded or not? (In a picture that is as wide
- * as the kernel asks.) */
-static int is_inside(iris_place at, const iris_image *src)
-{
-    return src->w >= 4 && at.x_q16 >= 0 && at.y_q16 >= 0 && at.x_q16 <= (src->w - 1) * 65536 - 256 &&
-           at.y_q16 <= (src->h - 1) * 65536 - 256;
-}
-
-/* Are all positions between these two beyond one side of the picture? */
-static int is_outside(iris_place a, iris_place b, const iris_image *src)
-{
-    int32_t right = src->w * 65536 - 32768, bottom = src->h * 65536 - 32768;
-    return (a.x_q16 < -33000 && b.x_q16 < -33000) || (a.y_q16 < -33000 && b.y_q16 < -33000) ||
-           (a.x_q16 > right && b.x_q16 > right) || (a.y_q16 > bottom && b.y_q16 > bottom);
-}
-
-/* Part of a run: inside, outside, or across the edge. */
-static void draw_part(uint8_t *to, const run *part, const iris_image *src, int channels, uint8_t fill)
-{
-    iris_place at = {part->x, part->y}, end = place_in(part, part->n - 1);
-    if (!part->exists || is_outside(at, end, src)) {
-        memset(to, fill, (size_t)part->n * (size_t)channels);
-    } else if (!is_inside(at, src) || !is_inside(end, src)) {
-        draw_edge(to, part, src, channels, fill);
-    } else {
-        (channels == 1 ? draw_gray : draw_color)(to, part, src);
-    }
-}
-
-/* A run that is inside at both ends is inside all the way. */
-static void draw_run(uint8_t *to, const run *r, const iris_image *src, int channels, uint8_t fill)
-{
-    iris_place at = {r->x, r->y};
-    int inside = r->exists && is_inside(at, src) && is_inside(place_in(r, r->n - 1), src);
-    int32_t most = inside ? r->n : PIECE;
-    for (int32_t first = 0; first < r->n; first += most, to += most * channels) {
-        at = place_in(r, first);
-        const run part = {
-            r->n - first < most ? r->n - first : most, r->exists, at.x_q16, at.y_q16, r->dx, r->dy};
-        draw_part(to, &part, src, channels, fill);
-    }
-}
-
 static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_image *src, int32_t y)
 {
     int channels = src->format == IRIS_GRAY8 ? 1 : 3;
     walk w = walk_of(birdseye, y);
-    run r;
+    iris_run r;
     while (next_run(&r, &w)) {
-        draw_run(to, &r, src, channels, birdseye->window.fill);
+        iris_run_draw(to, &r, src, channels, birdseye->window.fill);
         to += r.n * channels;
     }
 }
@@ -339,14 +216,11 @@ iris_status iris_birdseye_places(iris_place *places, const iris_birdseye *birdse
         return IRIS_ERR_RANGE;
     }
     walk w = walk_of(birdseye, y);
-    run r;
+    iris_run r;
     for (; next_run(&r, &w); places += r.n) {
         for (int32_t i = 0; i < r.n; i++) {
-            iris_place at = place_in(&r, i), none = {INT32_MIN, INT32_MIN};
-            int32_t whole, next;
-            uint32_t part;
-            int seen = r.exists && sample_at(&whole, &next, &part, at.x_q16, birdseye->source.w) &&
-                       sample_at(&whole, &next, &part, at.y_q16, birdseye->source.h);
+            iris_place at = iris_run_place(&r, i), none = {INT32_MIN, INT32_MIN};
+            int seen = r.exists && iris_run_sees(at, birdseye->source);
             places[i] = seen ? at : none;
         }
     }

@@ -1,0 +1,26 @@
+/* Runs: pixels beside each other whose places in another picture are as far from each other. Levels there are bilinear,
+ * from 256 steps between pixels.
+ */
+#ifndef IRIS_XT_RUNS_H
+#define IRIS_XT_RUNS_H
+
+#include "iris/image.h"
+#include "iris/xt/floor.h"
+
+typedef struct {
+    int32_t n;       /* pixels */
+    int exists;      /* 0: they have no place there */
+    iris_q16 x, y;   /* the place of pixel 0; all places fit 32 bits */
+    iris_q16 dx, dy; /* from each to the next */
+} iris_run;
+
+/* The place of the run's pixel i. */
+iris_place iris_run_place(const iris_run *r, int32_t i);
+
+/* Is the place within the picture's pixels, whose edges are half a pixel around their centers? */
+int iris_run_sees(iris_place at, iris_size source);
+
+/* The run's n pixels of 1 or 3 channels from src, which has as many; what it does not see becomes `fill`. */
+void iris_run_draw(uint8_t *to, const iris_run *r, const iris_image *src, int channels, uint8_t fill);
+
+#endif
