@@ -4,7 +4,7 @@
 #include "../xt/runs.h"
 
 #define JOIN_BITS 3    /* 2^JOIN_BITS steps are a run at most */
-#define BENT      1024 /* 1/64 of a pixel: so far off is the middle of a run at most */
+#define BENT      1024 /* 1/64 of a pixel: so far off is a run at its quarters at most */
 #define FAR_Q32   ((iris_q32)32600 << 32)
 
 void iris_remap_view_defaults(iris_remap_view *view, const iris_intrinsics *intrinsics, iris_size size)
@@ -49,7 +49,7 @@ iris_status iris_remap_init(iris_remap *remap, iris_place *places, const iris_re
     }
     if (view->size.w < 1 || view->size.w > IRIS_SIDE_MAX || view->size.h < 1 ||
         view->size.h > IRIS_SIDE_MAX || source.w < 1 || source.w > IRIS_REMAP_SOURCE_MAX || source.h < 1 ||
-        source.h > IRIS_REMAP_SOURCE_MAX || view->step_bits < IRIS_REMAP_STEP_BITS_MIN ||
+        source.h > IRIS_REMAP_SOURCE_MAX || view->step_bits < 0 ||
         view->step_bits > IRIS_REMAP_STEP_BITS_MAX || view->intrinsics.alpha_u <= 0 ||
         view->intrinsics.alpha_v <= 0 || camera->intrinsics.alpha_u <= 0 || camera->intrinsics.alpha_v <= 0) {
         return IRIS_ERR_RANGE;
@@ -73,6 +73,11 @@ typedef struct {
     int step_bits;
 } map_row;
 
+static int64_t divided(int64_t value, int bits)
+{
+    return bits > 0 ? iris_round_shift(value, bits) : value;
+}
+
 static iris_place place_in(const map_row *row, int32_t column)
 {
     iris_place a = row->above[column], b = row->below[column];
@@ -80,26 +85,31 @@ static iris_place place_in(const map_row *row, int32_t column)
         return row->part == 0 ? a : nowhere;
     }
     int64_t right = (int64_t)b.x_q16 - a.x_q16, down = (int64_t)b.y_q16 - a.y_q16;
-    return (iris_place){(iris_q16)(a.x_q16 + iris_round_shift(right * row->part, row->step_bits)),
-                        (iris_q16)(a.y_q16 + iris_round_shift(down * row->part, row->step_bits))};
+    return (iris_place){(iris_q16)(a.x_q16 + divided(right * row->part, row->step_bits)),
+                        (iris_q16)(a.y_q16 + divided(down * row->part, row->step_bits))};
 }
 
-static int is_off(int32_t a, int32_t b, int32_t middle)
+/* Is the place, quarters of the way from a to b, off the line between them? */
+static int is_off(int32_t a, int32_t b, int32_t place, int quarters)
 {
-    int64_t twice = (int64_t)a + b - 2 * (int64_t)middle;
-    return twice > 2 * BENT || twice < -2 * BENT;
+    int64_t four_times = (int64_t)a * (4 - quarters) + (int64_t)b * quarters - 4 * (int64_t)place;
+    return four_times > 4 * BENT || four_times < -4 * BENT;
 }
 
-/* May the 2^bits steps from the column be one run, that is straight? */
+/* May the 2^bits steps from the column be one run, that is straight? The middle alone would not see an S. */
 static int may_join(const map_row *row, int32_t column, int bits, int32_t last)
 {
     if (column + (1 << bits) > last) {
         return 0;
     }
     iris_place a = place_in(row, column), b = place_in(row, column + (1 << bits));
-    iris_place middle = place_in(row, column + (1 << (bits - 1)));
-    return a.x_q16 != INT32_MIN && b.x_q16 != INT32_MIN && middle.x_q16 != INT32_MIN &&
-           !is_off(a.x_q16, b.x_q16, middle.x_q16) && !is_off(a.y_q16, b.y_q16, middle.y_q16);
+    int good = a.x_q16 != INT32_MIN && b.x_q16 != INT32_MIN;
+    for (int quarters = bits > 1 ? 1 : 2; quarters < 4 && good; quarters += bits > 1 ? 1 : 2) {
+        iris_place place = place_in(row, column + ((quarters << bits) >> 2));
+        good = place.x_q16 != INT32_MIN && !is_off(a.x_q16, b.x_q16, place.x_q16, quarters) &&
+               !is_off(a.y_q16, b.y_q16, place.y_q16, quarters);
+    }
+    return good;
 }
 
 static iris_run run_at(const map_row *row, int32_t column, int bits)
@@ -110,8 +120,8 @@ static iris_run run_at(const map_row *row, int32_t column, int bits)
                      .x = a.x_q16,
                      .y = a.y_q16};
     if (made.exists) {
-        made.dx = (iris_q16)iris_round_shift((int64_t)b.x_q16 - a.x_q16, bits + row->step_bits);
-        made.dy = (iris_q16)iris_round_shift((int64_t)b.y_q16 - a.y_q16, bits + row->step_bits);
+        made.dx = (iris_q16)divided((int64_t)b.x_q16 - a.x_q16, bits + row->step_bits);
+        made.dy = (iris_q16)divided((int64_t)b.y_q16 - a.y_q16, bits + row->step_bits);
     }
     return made;
 }

@@ -2,10 +2,10 @@
  *
  * A view is the picture that another camera at the same place would take: without a lens, with intrinsics of your
  * choice, and turned if need be, as for stereo pairs. A map says for every 8th pixel of every 8th row of the view
- * where it lies in the camera's picture (or every 4th, or 16th); it takes 40 KB for 640x480. Between them places are
- * interpolated, by lines: with a lens of k1 = -0.3 and a focal length of 0.8 widths at most 0.06 pixels off, at the
- * corners. Twice the step is four times as far, and a quarter of the memory. Levels are bilinear, from 256 steps
- * between pixels. Rows can be had one by one.
+ * where it lies in the camera's picture (or in steps of 1, 2, 4, or 16); it takes 40 KB for 640x480. Between them
+ * places are interpolated, by lines: with a lens of k1 = -0.3 and a focal length of 0.8 widths at most 0.06 pixels
+ * off, at the corners. Twice the step is four times as far, and a quarter of the memory. Levels are bilinear, from
+ * 256 steps between pixels. Rows can be had one by one.
  */
 #ifndef IRIS_3D_REMAP_H
 #define IRIS_3D_REMAP_H
@@ -21,8 +21,7 @@ extern "C" {
 /* The longest side of a camera's picture. */
 #define IRIS_REMAP_SOURCE_MAX 32000
 
-/* The step from place to place is 2^step_bits pixels: 4, 8, or 16. */
-#define IRIS_REMAP_STEP_BITS_MIN 2
+/* The step from place to place is 2^step_bits pixels, 1 to 16. */
 #define IRIS_REMAP_STEP_BITS_MAX 4
 
 /* How many places a map of w x h pixels has. */
@@ -34,7 +33,7 @@ typedef struct {
     iris_size size;             /* 1..IRIS_SIDE_MAX */
     iris_intrinsics intrinsics; /* of the camera that would take it */
     iris_mat3 turn;             /* from the real camera's frame to that camera's: Xview = turn Xc */
-    int step_bits;              /* of the map: 2 to 4 */
+    int step_bits;              /* of the map: 0 to IRIS_REMAP_STEP_BITS_MAX */
     uint8_t fill;               /* the level, in every channel, of what the real camera did not see */
 } iris_remap_view;
 
