@@ -73,9 +73,10 @@ typedef struct {
     int step_bits;
 } map_row;
 
+/* value / 2^bits, rounded; bits may be 0. */
 static int64_t divided(int64_t value, int bits)
 {
-    return bits > 0 ? iris_round_shift(value, bits) : value;
+    return iris_round_shift(value * 2, bits + 1);
 }
 
 static iris_place place_in(const map_row *row, int32_t column)

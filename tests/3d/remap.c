@@ -1,5 +1,5 @@
-/* Pictures remapped, against the same in double precision: every pixel's place by the model of camera.h, its level by bilinear
- * interpolation there. */
+/* Pictures remapped, against the same in double precision: every pixel's place by the model of camera.h, its level by
+ * bilinear interpolation there. */
 #include "iris/3d/remap.h"
 
 #include <stdio.h>
