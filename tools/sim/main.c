@@ -11,7 +11,8 @@
 #include "picture.h"
 
 static const char HELP[] =
-    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--floor] [--frames DIR]\n"
+    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--floor] [--frames DIR [--count "
+    "N]]\n"
     "\n"
     "Drives a simulated robot around a taped course by its camera alone, and writes pictures of the drive.\n"
     "Exit code 0 when all laps are done and the robot was never off the line by half its width, else 1.\n"
@@ -25,12 +26,13 @@ static const char HELP[] =
     "  --junction J  drive over one junction instead: t, left, right, y, or crossing, as --take says\n"
     "  --take TURN   left, right, or straight: exit code 0 when the robot ends on that branch\n"
     "  --robot R     over one junction: demo (default), over (camera over the axle), ahead, or slow\n"
-    "  --frames DIR  no drive: write 120 camera frames along the course, and where the tape is in them\n"
+    "  --frames DIR  no drive: write camera frames along the course, and where the tape is in them\n"
+    "  --count N     how many, 1 to 9999 (default 120)\n"
     "\n"
     "example: iris-demo --laps 3 --seed 7 --out /tmp/drive\n";
 
 typedef struct {
-    int laps, quick, blank, floor;
+    int laps, count, quick, blank, floor;
     uint32_t seed;
     const char *out, *frames, *junction, *take, *robot;
 } options;
@@ -61,6 +63,9 @@ static int read_options(options *o, int argc, char **argv)
             o->floor = 1;
         } else if (strcmp(name, "--laps") == 0 && whole_number(&number, value, 1, 20)) {
             o->laps = (int)number;
+            i++;
+        } else if (strcmp(name, "--count") == 0 && whole_number(&number, value, 1, 9999)) {
+            o->count = (int)number;
             i++;
         } else if (strcmp(name, "--seed") == 0 && whole_number(&number, value, 0, 1000000)) {
             o->seed = (uint32_t)number;
@@ -175,7 +180,7 @@ int main(int argc, char **argv)
     static sim_track track;
     static sim_camera camera;
     sim_floor floor;
-    options o = {.laps = 2, .seed = 1, .out = "build/demo"};
+    options o = {.laps = 2, .count = 120, .seed = 1, .out = "build/demo"};
     int code = read_options(&o, argc, argv);
     if (code >= 0) {
         return code;
@@ -197,7 +202,7 @@ int main(int argc, char **argv)
     }
     if (!o.frames) {
         code = drive(&o, &floor, &camera);
-    } else if (make_folder(o.frames) && sim_frames_write(o.frames, 120, &camera, &floor)) {
+    } else if (make_folder(o.frames) && sim_frames_write(o.frames, o.count, &camera, &floor)) {
         code = 0;
     } else {
         fprintf(stderr, "iris-demo: %s: cannot write the frames\n", o.frames);
