@@ -217,7 +217,12 @@ RIG_SOAK   := $(wildcard tests/rig/soak/*.c tests/rig/soak/*.sh)
 RUN        ?= tests/rig/guest/rig.sh
 RUN_SLOW   := $(filter $(RIG_HOST),$(RUN))
 RUN_QUICK  := $(filter-out $(RIG_HOST),$(RUN))
-run-rig: all $(filter $(OUT)/%,$(call in_rig,$(RUN)))
+# What the scripts there need beside the tool. The simulator computes with doubles, for which the emulator takes minutes: a
+# native build of its own renders the course.
+RIG_AIDS   := $(OUT)/tests/rig/push_frames $(OUT)/host/course/small/truth.txt
+$(OUT)/host/course/small/truth.txt: $(wildcard tools/sim/*)
+	@env -i PATH="$$PATH" HOME="$$HOME" $(MAKE) -s BUILD=$(OUT)/host course
+run-rig: all $(RIG_AIDS) $(filter $(OUT)/%,$(call in_rig,$(RUN)))
 	$(if $(RUN_SLOW),@tests/rig/boot $(RIG) $(OUT) $(call in_rig,$(RUN_SLOW)))
 	$(if $(RUN_QUICK),@tests/rig/boot --own-clock $(RIG) $(OUT) $(call in_rig,$(RUN_QUICK)))
 .PHONY: run-rig

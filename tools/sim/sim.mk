@@ -18,6 +18,11 @@ latency: all $(OUT)/iris-demo ## time from a frame until its command, by percent
 	@$(TOOL) convert --resize 640x480 $(BUILD)/latency/160x120 -o $(BUILD)/latency/640x480
 	@for size in 160x120 640x480; do for rate in $(LATENCY_RATES); do printf '%s at %3d/s  ' $$size $$rate; \
 	    $(TOOL) follow --camera $(BUILD)/latency/$$size --rate $$rate --timing 2>&1 > /dev/null | grep '^frame to'; done; done
-.PHONY: demo latency
+# A few of them for tests elsewhere, enlarged: in BUILD/course/large.
+course: all $(OUT)/iris-demo
+	@$(OUT)/iris-demo --frames $(BUILD)/course/small --count 7
+	@mkdir -p $(BUILD)/course/large
+	@$(TOOL) convert --resize 640x480 $(BUILD)/course/small -o $(BUILD)/course/large
+.PHONY: demo latency course
 
 verify-scripts: $(OUT)/iris-demo
