@@ -22,6 +22,7 @@ static const command commands[] = {
     {"floor", cmd_floor, "from marks on the floor to millimeters"},
     {"shape", cmd_shape, "a taught shape, found moved, turned, scaled, and partly hidden"},
     {"lock", cmd_lock, "a colored object, from frame to frame"},
+    {"calibrate", cmd_calibrate, "a camera from points that are known"},
     {"cameras", cmd_cameras, "which cameras there are, with formats, sizes, and rates"},
     {"controls", cmd_controls, "a camera's exposure, gain, and what else it lets be set"},
     {"capture", cmd_capture, "a camera's frames into files"},

@@ -1,0 +1,7 @@
+/* The kinds of iris calibrate: argv[0] is the kind; each returns an exit code. */
+#ifndef IRIS_TOOL_CALIBRATE_H
+#define IRIS_TOOL_CALIBRATE_H
+
+int calibrate_scene(int argc, char **argv);
+
+#endif
