@@ -319,7 +319,8 @@ static void a_program_that_hangs_is_a_stopped_robot(void **state)
     send_frame(40);
     read_answer(&steer, &speed);
     kill(tool.pid, SIGSTOP);
-    assert_int_equal(time_until(SAFE_LEVELS, 15, WATCHDOG_MS / 2), -1); /* not before its time */
+    const int64_t early = time_until(SAFE_LEVELS, 15, WATCHDOG_MS / 2);
+    assert_true(early < 0 || clock_ms() - last >= WATCHDOG_MS); /* not before its time */
     assert_true(time_until(SAFE_LEVELS, 15, WATCHDOG_MS + MARGIN_MS) >= 0);
     assert_within("last command to safe, of 300", clock_ms() - last, WATCHDOG_MS + MARGIN_MS);
     kill(tool.pid, SIGCONT);
