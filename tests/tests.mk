@@ -6,7 +6,7 @@
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
 #   tests/target/test_*.c                    bare metal, Unity, one firmware each; tests/target/bridge runs the host's tests there
 #   tests/fuzz/*.c                           libFuzzer, one target each
-#   tests/rig/guest/*.c *.sh                 run in a virtual machine with real drivers (tests/rig/boot); so does tests/linux
+#   tests/rig/{guest,real_time}/*.c *.sh     run in a virtual machine with real drivers (tests/rig/boot); so does tests/linux
 #   tests/rig/soak/*.c *.sh                  run there for many minutes of its own clock
 #   tests/check_*.sh                         the rules of the house; any other tests/*.sh is run with the host's tool
 
@@ -208,15 +208,14 @@ verify-fuzz: $(FUZZ_BIN)
 
 # --- Linux: an arm64 kernel with real drivers in QEMU, which tests/rig/prepare makes and tests/rig/boot starts ---
 
-# What speaks to the host takes the host's time, all else the guest's own.
+# What speaks to the host (real_time) takes the host's time, all else the guest's own.
 in_rig      = $(patsubst tests/%.c,$(OUT)/tests/%,$(1))
-RIG_SRC    := $(wildcard tests/linux/*.c tests/rig/guest/*.c tests/rig/guest/*.sh)
-RIG_HOST   := $(shell grep -lE 'RIG_(USB_)?SERIAL' $(RIG_SRC))
-RIG_GPIO   := $(filter tests/linux/gpio% tests/rig/guest/gpio%,$(RIG_SRC))
+RIG_SRC    := $(wildcard tests/linux/*.c $(foreach d,real_time guest,tests/rig/$(d)/*.c tests/rig/$(d)/*.sh))
+RIG_GPIO   := $(filter tests/linux/gpio% tests/rig/guest/gpio% tests/rig/real_time/gpio%,$(RIG_SRC))
 RIG_SOAK   := $(wildcard tests/rig/soak/*.c tests/rig/soak/*.sh)
-RUN        ?= tests/rig/guest/rig.sh
-RUN_SLOW   := $(filter $(RIG_HOST),$(RUN))
-RUN_QUICK  := $(filter-out $(RIG_HOST),$(RUN))
+RUN        ?= tests/rig/real_time/rig.sh
+RUN_SLOW   := $(filter tests/rig/real_time/%,$(RUN))
+RUN_QUICK  := $(filter-out $(RUN_SLOW),$(RUN))
 # What the scripts there need beside the tool. The simulator computes with doubles, for which the emulator takes minutes: a
 # native build of its own renders the course.
 RIG_AIDS   := $(OUT)/tests/rig/push_frames $(OUT)/host/course/small/truth.txt
@@ -359,7 +358,7 @@ test-linux: ## runs the tests of cameras, GPIO, and serial ports on real drivers
 	+@$(MAKE) --no-print-directory $(JOBS) $(LINUX_LAYERS:%=layer-%)
 	@tests/tally $(LINUX_LAYERS:%=$(TAP)/%.tap)
 
-rig: ## runs there what RUN names, such as "tests/rig/guest/rig.sh tests/rig/guest/serial_ports.c", and prints all that it says
+rig: ## runs there what RUN names, such as "tests/rig/real_time/rig.sh tests/rig/guest/v4l2.c", and prints all that it says
 	+@$(if $(GPIOD2),$(ON_RIG_2),$(ON_RIG)) CHECKED=$(CHECKED) RUN="$(RUN)" run-rig
 .PHONY: test-linux rig
 

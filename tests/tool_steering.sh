@@ -1,6 +1,6 @@
 #!/bin/sh
 # Steering out of iris follow, from outside: wrong calls, and a robot at the far end of a pseudo-terminal that is told to stop
-# whatever happens to the program. GPIO lines that can be driven are in the rig: tests/rig/guest/gpio_follow.c.
+# whatever happens to the program. GPIO lines that can be driven are in the rig: tests/rig/real_time/gpio_follow.c.
 first_argument=follow
 . tests/outside
 LC_ALL=C

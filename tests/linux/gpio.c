@@ -1,5 +1,5 @@
 /* GPIO lines over a fake libgpiod: this program has the functions that the library asks of it (port/os/linux/gpiod.h), with
- * chips that can be busy, refuse, disappear, and come back. tests/linux/gpio_chip.c has a real one. */
+ * chips that can be busy, refuse, disappear, and come back. tests/rig/guest/gpio_chip.c has a real one. */
 #include "iris/gpio.h"
 #include "test.h"
 

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <time.h>
 
+#include "guest/video_sender.h"
 #include "iris/pnm.h"
-#include "linux/video_sender.h"
 
 enum { W = 640, H = 480 };
 

@@ -1,6 +1,6 @@
 /* Ten minutes of a camera at 30 frames a second, by the guest's clock: every frame comes or is counted, and nothing grows. */
 #define _POSIX_C_SOURCE 200809L
-#include "../guest/rig.h"
+#include "../real_time/rig.h"
 #include "iris/v4l2.h"
 
 #include <dirent.h>

@@ -1,6 +1,5 @@
 #!/bin/sh
 # The commands for cameras on the kernel's virtual webcam: what there is, what it lets be set, and its frames in files.
-# On the host's clock, like what uses RIG_SERIAL: by its own the guest has no time for so many pixels.
 . tests/outside
 if [ -z "$RIG_WEBCAM" ]; then
     echo "ok - commands on a camera # SKIP the rig has no webcam"

@@ -1,8 +1,8 @@
 /* `iris follow --gpio` against the kernel's own lines: what they say during a drive, and that they are safe within the stated time
  * however it ends. Frames come over standard input, one by one; levels are read back from gpio-sim. Every line is pulled to the
  * contrary of its safe level, so that a line that was only let go is not taken for one that was driven. */
-#include "gpio_sim.h"
 #include "rig.h"
+#include "rig/guest/gpio_sim.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -4,7 +4,7 @@
 
 #include "iris/camera_control.h"
 #include "iris/v4l2.h"
-#include "video_camera.h"
+#include "linux/video_camera.h"
 
 static int files_before, maps_before;
 

@@ -1,6 +1,6 @@
 /* GPIO lines of a real kernel, gpio-sim's, whose levels are read back from /sys; outside of the rig, what needs no chip. */
+#include "gpio_sim.h"
 #include "iris/gpio.h"
-#include "rig/guest/gpio_sim.h"
 
 #include <errno.h>
 
