@@ -217,6 +217,7 @@ static void writer_writes_these_bytes(void **state)
     (void)state;
     uint8_t pixels[] = {1, 2, 3, 4, 5, 6}, file[100];
     uint32_t mask[] = {0xFFFFFFF5u, 2};
+    uint16_t deep[] = {0x0102, 0xFF00, 0x0506};
     const struct {
         void *pixels;
         iris_size size;
@@ -224,6 +225,7 @@ static void writer_writes_these_bytes(void **state)
         const char *header;
         uint8_t body[6];
     } cases[] = {
+        {deep, {1, 3}, IRIS_GRAY_U16, "P5\n1 3\n65535\n", {1, 2, 255, 0, 5, 6}},
         {pixels, {2, 3}, IRIS_GRAY8, "P5\n2 3\n255\n", {1, 2, 3, 4, 5, 6}},
         {pixels, {1, 2}, IRIS_RGB888, "P6\n1 2\n255\n", {1, 2, 3, 4, 5, 6}},
         {pixels, {2, 1}, IRIS_BGR888, "P6\n2 1\n255\n", {3, 2, 1, 6, 5, 4}},
@@ -312,7 +314,7 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(iris_pnm_write_begin(NULL, sink, (iris_size){1, 1}, IRIS_GRAY8), IRIS_ERR_ARG);
     assert_int_equal(iris_pnm_write_begin(&writer, (iris_sink){0}, (iris_size){1, 1}, IRIS_GRAY8),
                      IRIS_ERR_ARG);
-    assert_int_equal(iris_pnm_write_begin(&writer, sink, (iris_size){1, 1}, IRIS_GRAY_U16), IRIS_ERR_FORMAT);
+    assert_int_equal(iris_pnm_write_begin(&writer, sink, (iris_size){1, 1}, IRIS_GRAY_S16), IRIS_ERR_FORMAT);
     assert_int_equal(iris_pnm_write_begin(&writer, sink, (iris_size){1, 0}, IRIS_GRAY8), IRIS_ERR_RANGE);
     assert_int_equal(iris_pnm_write(sink, NULL), IRIS_ERR_ARG);
     assert_int_equal(memory.used, 0);
@@ -324,6 +326,8 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(iris_pnm_write_end(&writer), IRIS_OK);
     assert_int_equal(iris_pnm_write_row(NULL, words), IRIS_ERR_ARG);
     assert_int_equal(iris_pnm_write_end(NULL), IRIS_ERR_ARG);
+    assert_int_equal(iris_pnm_write_begin(&writer, sink, (iris_size){1, 1}, IRIS_GRAY_U16), IRIS_OK);
+    assert_int_equal(iris_pnm_write_row(&writer, (uint8_t *)words + 1), IRIS_ERR_ALIGN);
 }
 
 int main(void)

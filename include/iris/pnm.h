@@ -60,13 +60,14 @@ typedef struct {
 } iris_pnm_writer;
 
 /* Writes the header of a picture whose rows are given one by one, top first: IRIS_GRAY8 and IRIS_MASK1 (as 0 and 255)
- * become a PGM, IRIS_RGB888 and IRIS_BGR888 a PPM.
+ * become a PGM, IRIS_GRAY_U16 one of 16 bits, IRIS_RGB888 and IRIS_BGR888 a PPM.
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: a side outside 1..IRIS_SIDE_MAX; IRIS_ERR_IO. O(1). */
 iris_status iris_pnm_write_begin(iris_pnm_writer *writer, iris_sink sink, iris_size size, iris_format format);
 
 /* Writes the next row: w pixels at `row`.
  * IRIS_ERR_IO: now or before, the file is broken; IRIS_ERR_RANGE: h rows were written; IRIS_ERR_ARG: null pointer;
- * IRIS_ERR_ALIGN: an IRIS_MASK1 row that is not 4-byte aligned. O(w). */
+ * IRIS_ERR_ALIGN: an IRIS_MASK1 row that is not 4-byte aligned, or an IRIS_GRAY_U16 row that is not 2-byte aligned.
+ * O(w). */
 iris_status iris_pnm_write_row(iris_pnm_writer *writer, const void *row);
 
 /* IRIS_OK when the file is whole; IRIS_ERR_TRUNCATED: rows are missing; IRIS_ERR_IO; IRIS_ERR_ARG: null pointer.

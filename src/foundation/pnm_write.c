@@ -4,7 +4,7 @@
 #include <string.h>
 
 #define PIECE        240
-#define HEADER_BYTES 19 /* of the longest: P6\n32767 32767\n255\n */
+#define HEADER_BYTES 21 /* of the longest: P5\n32767 32767\n65535\n */
 
 /* Writes a number in decimals behind `text` and returns the place behind it. */
 static char *put_number(char *text, int32_t number)
@@ -24,13 +24,15 @@ static iris_status write_header(const iris_pnm_writer *writer)
     char header[HEADER_BYTES];
     char *end = header;
     *end++ = 'P';
-    *end++ = writer->format == IRIS_GRAY8 || writer->format == IRIS_MASK1 ? '5' : '6';
+    *end++ = writer->format == IRIS_RGB888 || writer->format == IRIS_BGR888 ? '6' : '5';
     *end++ = '\n';
     end = put_number(end, writer->w);
     *end++ = ' ';
     end = put_number(end, writer->h);
-    memcpy(end, "\n255\n", 5);
-    return iris_sink_write(&writer->sink, header, (size_t)(end - header) + 5);
+    *end++ = '\n';
+    end = put_number(end, writer->format == IRIS_GRAY_U16 ? UINT16_MAX : UINT8_MAX);
+    *end++ = '\n';
+    return iris_sink_write(&writer->sink, header, (size_t)(end - header));
 }
 
 iris_status iris_pnm_write_begin(iris_pnm_writer *writer, iris_sink sink, iris_size size, iris_format format)
@@ -38,7 +40,8 @@ iris_status iris_pnm_write_begin(iris_pnm_writer *writer, iris_sink sink, iris_s
     if (!writer || !sink.write) {
         return IRIS_ERR_ARG;
     }
-    if (format != IRIS_MASK1 && format != IRIS_GRAY8 && format != IRIS_RGB888 && format != IRIS_BGR888) {
+    if (format != IRIS_MASK1 && format != IRIS_GRAY8 && format != IRIS_GRAY_U16 && format != IRIS_RGB888 &&
+        format != IRIS_BGR888) {
         return IRIS_ERR_FORMAT;
     }
     if (iris_format_row_bytes(format, size.w) == 0 || size.h < 1 || size.h > IRIS_SIDE_MAX) {
@@ -80,6 +83,22 @@ static iris_status write_bgr(const iris_pnm_writer *writer, const uint8_t *row)
     return status;
 }
 
+/* The high byte of each sample goes first. */
+static iris_status write_u16(const iris_pnm_writer *writer, const uint16_t *row)
+{
+    uint8_t piece[PIECE];
+    iris_status status = IRIS_OK;
+    for (int32_t x = 0; x < writer->w && status == IRIS_OK; x += PIECE / 2) {
+        int32_t n = writer->w - x < PIECE / 2 ? writer->w - x : PIECE / 2;
+        for (int32_t i = 0; i < n; i++) {
+            piece[2 * i] = (uint8_t)(row[x + i] >> 8);
+            piece[2 * i + 1] = (uint8_t)row[x + i];
+        }
+        status = iris_sink_write(&writer->sink, piece, 2 * (size_t)n);
+    }
+    return status;
+}
+
 iris_status iris_pnm_write_row(iris_pnm_writer *writer, const void *row)
 {
     if (!writer || !row) {
@@ -91,11 +110,14 @@ iris_status iris_pnm_write_row(iris_pnm_writer *writer, const void *row)
     if (writer->next == writer->h) {
         return IRIS_ERR_RANGE;
     }
-    if (writer->format == IRIS_MASK1 && (uintptr_t)row % 4 != 0) {
+    uintptr_t unit = writer->format == IRIS_MASK1 ? 4 : writer->format == IRIS_GRAY_U16 ? 2 : 1;
+    if ((uintptr_t)row % unit != 0) {
         return IRIS_ERR_ALIGN;
     }
     if (writer->format == IRIS_MASK1) {
         writer->status = write_mask(writer, (const uint32_t *)row);
+    } else if (writer->format == IRIS_GRAY_U16) {
+        writer->status = write_u16(writer, (const uint16_t *)row);
     } else if (writer->format == IRIS_BGR888) {
         writer->status = write_bgr(writer, (const uint8_t *)row);
     } else {

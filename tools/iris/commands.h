@@ -15,6 +15,7 @@ int cmd_floor(int argc, char **argv);
 int cmd_lock(int argc, char **argv);
 int cmd_pipe(int argc, char **argv);
 int cmd_shape(int argc, char **argv);
+int cmd_stereo(int argc, char **argv);
 
 /* operation_<name> of each. */
 #define OPERATION(name) extern const operation operation_##name;

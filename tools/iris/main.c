@@ -23,6 +23,7 @@ static const command commands[] = {
     {"shape", cmd_shape, "a taught shape, found moved, turned, scaled, and partly hidden"},
     {"lock", cmd_lock, "a colored object, from frame to frame"},
     {"calibrate", cmd_calibrate, "a camera from points that are known"},
+    {"stereo", cmd_stereo, "how far things are, from two cameras side by side"},
     {"cameras", cmd_cameras, "which cameras there are, with formats, sizes, and rates"},
     {"controls", cmd_controls, "a camera's exposure, gain, and what else it lets be set"},
     {"capture", cmd_capture, "a camera's frames into files"},

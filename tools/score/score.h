@@ -52,6 +52,7 @@ void score_junctions(score *s);
 void score_paths(score *s);
 void score_lock(score *s);
 void score_calib(score *s);
+void score_stereo(score *s);
 void score_cost(score *s);
 
 #endif

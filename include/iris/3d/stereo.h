@@ -1,0 +1,121 @@
+/* IRIS - stereo: how far things are, from two cameras side by side. Report, sections 2.8 and 3.4.4.
+ *
+ * The pictures are rectified: what is at (x, y) in the left one is at (x - d, y) in the right one, and the disparity d
+ * >= 0 is the larger, the nearer it is: z = b f / d. Every method takes the same two views and writes the same picture
+ * of disparities, those of the left picture: IRIS_GRAY_U16, 256 to a pixel, 0 where no match was found. A match without
+ * any disparity, at infinity, is 1.
+ *
+ * Rows and columns of the pictures are taken to go on beyond their edges as they are there. A place whose match would
+ * be left of the right picture's edge has only the disparities that are inside: so there is an answer up to the left
+ * edge, and what is nearer there is not seen.
+ */
+#ifndef IRIS_3D_STEREO_H
+#define IRIS_3D_STEREO_H
+
+#include "iris/image.h"
+#include "iris/scratch.h"
+#include "iris/status.h"
+#include "iris/wide.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The largest max_disparity. */
+#define IRIS_STEREO_DISPARITY_MAX 255
+
+/* What tells two places from each other, pixel by pixel. */
+typedef enum {
+    /* Which of the 24 pixels around are darker, in how many of these the two differ: a camera that is brighter than
+     * the other one does not matter. */
+    IRIS_STEREO_CENSUS = 0,
+    IRIS_STEREO_SAD, /* gray levels between the two, 32 at most: the report's correlation */
+    IRIS_STEREO_BOTH /* the sum of the two */
+} iris_stereo_cost;
+
+/* What all methods have in common. */
+typedef struct {
+    int32_t max_disparity; /* pixels, 1..IRIS_STEREO_DISPARITY_MAX; default 63 */
+    iris_stereo_cost cost;
+    /* The match of the right picture's place may be so many pixels elsewhere, 0..255 (255: not checked); else there
+     * is none: what one camera alone sees has no match. Default 1. */
+    int32_t check_px;
+    /* The second best match (not beside the best one) must be worse by so many percent, or there is none. 0..99,
+     * default 0. */
+    int32_t uniqueness_percent;
+    /* Not 0: a place without a match takes the smaller disparity of the matches left and right of it in its row, that
+     * is the one farther away, for what one camera alone sees lies behind something. Default 1. */
+    int32_t fill;
+    /* Not 0: then iris_stereo_smooth. Default 1. */
+    int32_t smooth;
+} iris_stereo_config;
+
+/* --- fixed windows --- */
+
+typedef struct {
+    iris_stereo_config stereo; /* default cost: IRIS_STEREO_CENSUS */
+    int32_t side;              /* of the square window: odd, 1..IRIS_STEREO_SIDE_MAX; default 13 */
+} iris_stereo_block_config;
+
+#define IRIS_STEREO_SIDE_MAX 31
+
+/* Sensible values, as given above. Null is ignored. */
+void iris_stereo_block_defaults(iris_stereo_block_config *config);
+
+/* Working memory: some rows, each with all disparities. */
+#define IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity)                                                    \
+    (2u * IRIS_SCRATCH_ROUND(2u * (size_t)(w) * ((size_t)(max_disparity) + 1u)) +                            \
+     IRIS_SCRATCH_ROUND((size_t)(w) * ((size_t)(max_disparity) + 1u)) +                                      \
+     IRIS_SCRATCH_ROUND(4u * (size_t)(w)) +                                                                  \
+     IRIS_SCRATCH_ROUND(4u * ((size_t)(w) + (size_t)(max_disparity))) +                                      \
+     IRIS_SCRATCH_ROUND((size_t)(w) + (size_t)(max_disparity)))
+#define IRIS_STEREO_PICK_SCRATCH_BYTES(w)                                                                    \
+    (IRIS_SCRATCH_ROUND(2u * (size_t)(w)) + IRIS_SCRATCH_ROUND((size_t)(w)))
+#define IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w) (3u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
+#define IRIS_STEREO_BLOCK_SCRATCH_BYTES(w, max_disparity)                                                    \
+    (IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity) + IRIS_STEREO_PICK_SCRATCH_BYTES(w) +                 \
+     IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
+
+/* Block matching: for each place the disparity at which a square window around it differs least, with a parabola
+ * through the three costs there for the fraction of a pixel. At the edge of a near thing windows see both this and
+ * what is behind, and the near thing seems wider: the report's corona.
+ *
+ * left and right: IRIS_GRAY8 of one size; disparity: IRIS_GRAY_U16 of that size, disjoint from both. config may be
+ * null for the defaults.
+ * IRIS_ERR_ARG: null pointer, or a config value out of range; errors of iris_image_check; IRIS_ERR_FORMAT;
+ * IRIS_ERR_RANGE: sizes that differ; IRIS_ERR_ALIAS; IRIS_ERR_SCRATCH: less than
+ * IRIS_STEREO_BLOCK_SCRATCH_BYTES(w, max_disparity). O(w h max_disparity), whatever the side. */
+iris_status iris_stereo_block(const iris_image *disparity, const iris_image *left, const iris_image *right,
+                              const iris_stereo_block_config *config, iris_scratch *scratch);
+
+/* --- what is done to disparities --- */
+
+/* Each match becomes the median of the matches in the 5 x 5 pixels around it (of an even number the lower one of the
+ * two in the middle); places without a match stay so. In place.
+ * IRIS_ERR_ARG: null pointer; errors of iris_image_check; IRIS_ERR_FORMAT: not IRIS_GRAY_U16; IRIS_ERR_SCRATCH: less
+ * than IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w). O(w h). */
+iris_status iris_stereo_smooth(const iris_image *disparity, iris_scratch *scratch);
+
+#define IRIS_STEREO_SPECKLE_SCRATCH_BYTES(w, h) IRIS_SCRATCH_ROUND(4u * (size_t)(w) * (size_t)(h))
+
+/* Takes away small specks: of matches that hang together (4 neighbors, which differ by at most `difference`, in 256ths
+ * of a pixel) those fewer than least_area pixels become places without a match. In place.
+ * IRIS_ERR_ARG: null pointer, a difference outside 0..65535, or a negative least_area; errors of iris_image_check;
+ * IRIS_ERR_FORMAT: not IRIS_GRAY_U16; IRIS_ERR_SCRATCH: less than IRIS_STEREO_SPECKLE_SCRATCH_BYTES(w, h). O(w h). */
+iris_status iris_stereo_speckle(const iris_image *disparity, int32_t least_area, int32_t difference,
+                                iris_scratch *scratch);
+
+/* --- depth --- */
+
+/* No disparity: infinitely far. */
+#define IRIS_STEREO_INFINITY INT64_MAX
+
+/* z = b f / d, in the unit of the baseline b, which the report calls 2h; focal: f in pixels; disparity: 256 to a pixel.
+ * Rounded to the nearest iris_q32. IRIS_STEREO_INFINITY for 0, and for what does not fit. O(1). */
+iris_q32 iris_stereo_depth(uint16_t disparity, iris_q32 baseline, iris_q32 focal);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,21 @@
+/* From costs to disparities: the least cost of each place, and whether it can be believed. */
+#ifndef IRIS_3D_STEREO_PICK_H
+#define IRIS_3D_STEREO_PICK_H
+
+#include "iris/3d/stereo.h"
+
+typedef struct {
+    iris_stereo_config config;
+    int32_t w;
+    uint16_t *right_cost; /* least one of each place of the right picture, */
+    uint8_t *right;       /* and its disparity */
+} iris_stereo_pick;
+
+/* Takes IRIS_STEREO_PICK_SCRATCH_BYTES. */
+iris_status iris_stereo_pick_begin(iris_stereo_pick *p, const iris_stereo_config *config, int32_t w,
+                                   iris_scratch *scratch);
+
+/* A row of disparities of w times max_disparity + 1 costs; those of disparity d at x < d are not looked at. */
+void iris_stereo_pick_row(uint16_t *disparity, const iris_stereo_pick *p, const uint16_t *costs);
+
+#endif

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Stereo from outside: two pictures in, disparities, a preview, and figures out.
+first_argument=stereo
+. tests/outside
+
+# dots SHIFT : PGM of 40x20 random dots, from column SHIFT of them on
+dots() {
+    awk -v shift="$1" 'BEGIN { srand(7)
+        printf "P5 40 20 255\n"
+        for (y = 0; y < 20; y++) {
+            row = ""
+            for (x = 0; x < 60; x++) row = row sprintf("%c", 33 + int(rand() * 90))
+            printf "%s", substr(row, 1 + shift, 40) } }'
+}
+dots 0 > left.pgm
+dots 3 > right.pgm
+echo "this is none" > text
+dots 0 | sed '1s/.*/P5 20 40 255/' > turned.pgm
+
+works "disparities" left.pgm right.pgm --method block --max-disparity 8 -o d.pgm --preview seen.bmp
+grep -q '^left.pgm: 100.0 % matched, disparities' out; say $? "how many matches"
+[ "$(head -3 d.pgm | tr '\n' ' ')" = "P5 40 20 65535 " ] && [ "$(wc -c < d.pgm)" -eq 1615 ]; say $? "a PGM of 16 bits"
+[ "$(tail -c 1600 d.pgm | od -An -v -tu1 -w80 | awk '{ for (i = 41; i < 80; i += 2) {
+    d = $i * 256 + $(i + 1); n += d > 768 - 128 && d < 768 + 128 } } END { print n }')" = 400 ]
+say $? "of 3 pixels"
+"$iris" info seen.bmp | grep -q '40x20.*color\|40x20'; say $? "a preview"
+works "--json" left.pgm right.pgm --json
+grep -q '"method":"block","width":40,"height":20,"matched":1,"mean":[0-9.]*,"least":[0-9.]*,"most":[0-9.]*}' out
+say $? "its figures"
+cp d.pgm wanted
+works "-o -" left.pgm right.pgm --max-disparity 8 -o -
+cmp -s out wanted; say $? "disparities on standard output alone"
+works "--help" --help
+grep -q -- '--method block' out; say $? "its methods"
+
+refuses "one picture" 2 'LEFT RIGHT' left.pgm
+refuses "three pictures" 2 'LEFT RIGHT' left.pgm right.pgm left.pgm
+refuses "no such method" 2 "method: .*not 'magic'" left.pgm right.pgm --method magic
+refuses "no disparities" 2 'max-disparity' left.pgm right.pgm --max-disparity 0
+refuses "too many disparities" 2 'max-disparity' left.pgm right.pgm --max-disparity 256
+refuses "a BMP of 16 bits" 2 'd.bmp: .*pgm' left.pgm right.pgm -o d.bmp
+refuses "an unknown preview" 2 'seen.gif' left.pgm right.pgm --preview seen.gif
+refuses "two things on standard output" 2 'only' left.pgm right.pgm --json -o -
+refuses "sizes that differ" 1 'turned.pgm: 20x40 pixels' left.pgm turned.pgm
+refuses "a missing file" 1 'none.pgm' none.pgm right.pgm
+refuses "no picture" 1 'text' left.pgm text
+refuses "a folder that is not there" 1 'nowhere/d.pgm' left.pgm right.pgm -o nowhere/d.pgm

@@ -1,0 +1,305 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "args.h"
+#include "commands.h"
+#include "complain.h"
+#include "file_write.h"
+#include "frame_reader.h"
+#include "iris/3d/stereo.h"
+#include "json.h"
+#include "one_line.h"
+#include "picture_write.h"
+#include "system.h"
+
+static const char help[] =
+    "usage: iris stereo LEFT RIGHT [--method block] [--max-disparity N] [-o DISPARITY]\n"
+    "                   [--preview PICTURE] [--json]\n\n"
+    "How far things are, from the rectified pictures of two cameras side by side: by how many pixels\n"
+    "each place of the left picture lies further to the left in the right one. Color becomes gray.\n\n"
+    "  --method block       fixed windows: the census of 13x13 pixels\n"
+    "  --max-disparity N    of the nearest things, in pixels, 1 to 255 (default 63)\n"
+    "  -o DISPARITY         a PGM of 16 bits: 256 for a pixel, 0 where there is no match; -: to standard\n"
+    "                       output, and nothing else\n"
+    "  --preview PICTURE    the same in colors, from blue (far) to red (near); black: no match\n"
+    "  --json               one JSON object\n\n"
+    "JSON has matched (the share of places that have a disparity), and the mean of these, least, and most\n"
+    "disparities in pixels (null when there is none).\n\n"
+    "example: iris stereo left.pgm right.pgm --max-disparity 63 -o disparity.pgm --preview seen.bmp\n";
+
+typedef struct {
+    const char *left, *right, *method, *output, *preview;
+    int32_t max_disparity;
+    int json;
+} wishes;
+
+typedef struct {
+    int64_t matched, sum;
+    int32_t least, most; /* 256ths of a pixel */
+} summary;
+
+/* --- methods --- */
+
+typedef struct {
+    const char *name;
+    size_t (*bytes)(iris_size size, int32_t max_disparity);
+    iris_status (*match)(const iris_image *disparity, const iris_image *left, const iris_image *right,
+                         int32_t max_disparity, iris_scratch *scratch);
+} stereo_method;
+
+static size_t block_bytes(iris_size size, int32_t max_disparity)
+{
+    return IRIS_STEREO_BLOCK_SCRATCH_BYTES(size.w, max_disparity);
+}
+
+static iris_status block(const iris_image *disparity, const iris_image *left, const iris_image *right,
+                         int32_t max_disparity, iris_scratch *scratch)
+{
+    iris_stereo_block_config config;
+    iris_stereo_block_defaults(&config);
+    config.stereo.max_disparity = max_disparity;
+    return iris_stereo_block(disparity, left, right, &config, scratch);
+}
+
+static const stereo_method methods[] = {{"block", block_bytes, block}};
+#define METHODS      (sizeof methods / sizeof methods[0])
+#define METHOD_NAMES "block"
+
+static const stereo_method *method_of(const char *name)
+{
+    for (size_t i = 0; i < METHODS; i++) {
+        if (strcmp(methods[i].name, name) == 0) {
+            return &methods[i];
+        }
+    }
+    complain("--method", METHOD_NAMES ", not '%s'", name);
+    return NULL;
+}
+
+/* --- what is written --- */
+
+static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
+{
+    size_t written = fwrite(data, 1, bytes, user);
+    return written > 0 ? (ptrdiff_t)written : -1;
+}
+
+static int write_disparity(FILE *file, const void *user)
+{
+    iris_sink sink = {write_bytes, file};
+    return iris_pnm_write(sink, user) == IRIS_OK && fflush(file) == 0;
+}
+
+static summary summarize(const iris_image *disparity)
+{
+    summary s = {0, 0, 65536, 0};
+    for (int32_t y = 0; y < disparity->h; y++) {
+        const uint16_t *row = iris_image_row(disparity, y);
+        for (int32_t x = 0; x < disparity->w; x++) {
+            s.matched += row[x] != 0;
+            s.sum += row[x];
+            s.least = row[x] != 0 && row[x] < s.least ? row[x] : s.least;
+            s.most = row[x] > s.most ? row[x] : s.most;
+        }
+    }
+    return s;
+}
+
+/* How much of a color there is at a place (0 to 1023) of the rainbow: 255 within 128 around its center. */
+static uint8_t shade(int32_t place, int32_t center)
+{
+    int32_t apart = abs(place - center), level = 383 - apart;
+    return (uint8_t)(level < 0 ? 0 : level > 255 ? 255 : level);
+}
+
+/* Blue, cyan, green, yellow, red: from 0 to `most`. */
+static int show(const char *path, const iris_image *disparity, int32_t most)
+{
+    picture_buffer picture = {0};
+    iris_size size = {disparity->w, disparity->h};
+    iris_status status = picture_reserve(&picture, size, IRIS_RGB888);
+    if (status != IRIS_OK) {
+        complain(path, "%s", picture_problem(status, size));
+        return 0;
+    }
+    for (int32_t y = 0; y < size.h; y++) {
+        const uint16_t *row = iris_image_row(disparity, y);
+        uint8_t *to = iris_image_row(&picture.image, y);
+        for (int32_t x = 0; x < size.w; x++, to += 3) {
+            int32_t place = row[x] * 1023 / (most > 0 ? most : 1);
+            to[0] = row[x] ? shade(place, 896) : 0;
+            to[1] = row[x] ? shade(place, 512) : 0;
+            to[2] = row[x] ? shade(place, 128) : 0;
+        }
+    }
+    int written = picture_write(path, &picture.image);
+    picture_free(&picture);
+    return written;
+}
+
+static void print(const wishes *w, const iris_image *disparity, const summary *s)
+{
+    double pixels = (double)disparity->w * disparity->h, count = (double)s->matched;
+    if (!w->json) {
+        one_line(stdout, w->left);
+        printf(": %.1f %% matched", 100 * count / pixels);
+        if (s->matched > 0) {
+            printf(", disparities %.2f to %.2f, mean %.2f", s->least / 256.0, s->most / 256.0,
+                   (double)s->sum / 256 / count);
+        }
+        putchar('\n');
+        return;
+    }
+    const struct {
+        const char *key;
+        double value;
+    } numbers[] = {
+        {"mean", (double)s->sum / 256 / count}, {"least", s->least / 256.0}, {"most", s->most / 256.0}};
+    json_writer json = json_to(stdout);
+    json_open(&json, '{');
+    json_key(&json, "left");
+    json_string(&json, w->left);
+    json_key(&json, "right");
+    json_string(&json, w->right);
+    json_key(&json, "output");
+    json_string(&json, w->output);
+    json_key(&json, "method");
+    json_string(&json, w->method);
+    json_key(&json, "width");
+    json_integer(&json, disparity->w);
+    json_key(&json, "height");
+    json_integer(&json, disparity->h);
+    json_key(&json, "matched");
+    json_number(&json, count / pixels, 4);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        json_key(&json, numbers[i].key);
+        if (s->matched > 0) {
+            json_number(&json, numbers[i].value, 3);
+        } else {
+            json_null(&json);
+        }
+    }
+    json_close(&json, '}');
+}
+
+/* --- from files to files --- */
+
+static int read_picture(picture_buffer *picture, const char *path)
+{
+    static frame_reader reader;
+    iris_status status = frame_reader_open(&reader, path);
+    status = status == IRIS_OK ? frame_reader_next(&reader, picture, IRIS_GRAY8) : status;
+    frame_reader_close(&reader);
+    if (status != IRIS_OK) {
+        complain(path, "%s", frame_reader_problem(&reader));
+    }
+    return status == IRIS_OK;
+}
+
+/* Writes and prints what was found. */
+static int tell(const wishes *w, const iris_image *disparity)
+{
+    summary s = summarize(disparity);
+    if ((w->output && !file_write(w->output, write_disparity, disparity)) ||
+        (w->preview && !show(w->preview, disparity, s.most))) {
+        return EXIT_BAD_DATA;
+    }
+    if (!w->output || strcmp(w->output, "-") != 0) {
+        print(w, disparity, &s);
+    }
+    return EXIT_DONE;
+}
+
+static int match(const wishes *w, const stereo_method *method, const iris_image *left,
+                 const iris_image *right)
+{
+    picture_buffer disparity = {0};
+    iris_scratch scratch;
+    iris_size size = {left->w, left->h};
+    if (right->w != size.w || right->h != size.h) {
+        complain(w->right, "%dx%d pixels, but the left picture has %dx%d: both must have one size",
+                 (int)right->w, (int)right->h, (int)size.w, (int)size.h);
+        return EXIT_BAD_DATA;
+    }
+    size_t bytes = method->bytes(size, w->max_disparity);
+    iris_status status = picture_reserve(&disparity, size, IRIS_GRAY_U16);
+    void *memory = status == IRIS_OK ? system_scratch(bytes) : NULL;
+    if (!memory) {
+        complain(w->left, "%s", picture_problem(status == IRIS_OK ? IRIS_ERR_SCRATCH : status, size));
+        picture_free(&disparity);
+        return EXIT_BAD_DATA;
+    }
+    iris_scratch_init(&scratch, memory, bytes);
+    status = method->match(&disparity.image, left, right, w->max_disparity, &scratch);
+    free(memory);
+    int exit_code = EXIT_BAD_DATA;
+    if (status == IRIS_OK) {
+        exit_code = tell(w, &disparity.image);
+    } else {
+        complain(w->left, "%s", iris_status_text(status));
+    }
+    picture_free(&disparity);
+    return exit_code;
+}
+
+static int run(const wishes *w, const stereo_method *method)
+{
+    picture_buffer left = {0}, right = {0};
+    int exit_code = EXIT_BAD_DATA;
+    if (read_picture(&left, w->left) && read_picture(&right, w->right)) {
+        exit_code = match(w, method, &left.image, &right.image);
+    }
+    picture_free(&left);
+    picture_free(&right);
+    return exit_code;
+}
+
+/* Is the call one that can be carried out? */
+static int check_files(const wishes *w)
+{
+    picture_container output = w->output ? picture_container_of(w->output) : CONTAINER_PGM;
+    if (w->output && strcmp(w->output, "-") != 0 && output != CONTAINER_PGM && output != CONTAINER_PNM) {
+        complain(w->output, "disparities have 16 bits, which takes a .pgm (--preview writes colors)");
+        return 0;
+    }
+    if (w->preview && picture_container_of(w->preview) == CONTAINER_UNKNOWN) {
+        complain(w->preview, "expected is .bmp, .ppm, or .pgm");
+        return 0;
+    }
+    int to_output = w->output && strcmp(w->output, "-") == 0;
+    int to_preview = w->preview && strcmp(w->preview, "-") == 0;
+    if (to_output + to_preview + w->json > 1) {
+        complain(NULL, "one of --json, -o -, and --preview - only");
+        return 0;
+    }
+    return 1;
+}
+
+int cmd_stereo(int argc, char **argv)
+{
+    wishes w = {.method = "block", .max_disparity = 63};
+    const char *most = NULL;
+    const args_option options[] = {{"method", 0, NULL, &w.method},
+                                   {"max-disparity", 0, NULL, &most},
+                                   {"output", 'o', NULL, &w.output},
+                                   {"preview", 0, NULL, &w.preview},
+                                   {"json", 0, &w.json, NULL}};
+    arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
+    int exit_code = args_parse(&args, argc, argv);
+    if (exit_code != ARGS_GO) {
+        return exit_code;
+    }
+    const args_whole wholes[] = {{"--max-disparity", most, &w.max_disparity, 1, IRIS_STEREO_DISPARITY_MAX}};
+    if (args.operand_count != 2) {
+        complain(NULL, "two pictures are expected: LEFT RIGHT (see --help)");
+        return EXIT_BAD_CALL;
+    }
+    w.left = args.operands[0];
+    w.right = args.operands[1];
+    const stereo_method *method = method_of(w.method);
+    if (!method || !args_wholes(wholes, 1) || !check_files(&w)) {
+        return EXIT_BAD_CALL;
+    }
+    return run(&w, method);
+}
