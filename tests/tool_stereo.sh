@@ -25,13 +25,15 @@ grep -q '^left.pgm: 100.0 % matched, disparities' out; say $? "how many matches"
 say $? "of 3 pixels"
 "$iris" info seen.bmp | grep -q '40x20.*color\|40x20'; say $? "a preview"
 works "--json" left.pgm right.pgm --json
-grep -q '"method":"block","width":40,"height":20,"matched":1,"mean":[0-9.]*,"least":[0-9.]*,"most":[0-9.]*}' out
+grep -q '"method":"semiglobal","width":40,"height":20,"matched":1,"mean":[0-9.]*,"least":[0-9.]*,"most":[0-9.]*}' out
 say $? "its figures"
 cp d.pgm wanted
-works "-o -" left.pgm right.pgm --max-disparity 8 -o -
+works "semi-global" left.pgm right.pgm --method semiglobal --max-disparity 8 -o s.pgm
+[ "$(wc -c < s.pgm)" -eq 1615 ] && ! cmp -s s.pgm d.pgm; say $? "another method"
+works "-o -" left.pgm right.pgm --method block --max-disparity 8 -o -
 cmp -s out wanted; say $? "disparities on standard output alone"
 works "--help" --help
-grep -q -- '--method block' out; say $? "its methods"
+grep -q -- '--method block|semiglobal' out; say $? "its methods"
 
 refuses "one picture" 2 'LEFT RIGHT' left.pgm
 refuses "three pictures" 2 'LEFT RIGHT' left.pgm right.pgm left.pgm

@@ -53,8 +53,9 @@ iris_status iris_stereo_costs_begin(iris_stereo_costs *c, const iris_image *left
                              .steps = config->max_disparity + 1,
                              .cost = config->cost,
                              .reach = side / 2};
-    c->columns = iris_scratch_take(scratch, 2 * cells);
-    c->sums = iris_scratch_take(scratch, 2 * cells);
+    size_t windows = side > 0 ? 2 * cells : 0;
+    c->columns = iris_scratch_take(scratch, windows);
+    c->sums = iris_scratch_take(scratch, windows);
     c->costs = iris_scratch_take(scratch, cells);
     c->census_left = iris_scratch_take(scratch, 4 * w);
     c->census_right = iris_scratch_take(scratch, 4 * (w + most));
@@ -118,8 +119,7 @@ static void costs_at(uint8_t *to, const iris_stereo_costs *c, int32_t x, uint8_t
     }
 }
 
-/* The costs of the pixels of a row, by themselves. */
-static void pixel_costs(const iris_stereo_costs *c, int32_t y)
+const uint8_t *iris_stereo_costs_pixels(const iris_stereo_costs *c, int32_t y)
 {
     const uint8_t *left = iris_image_row(c->left, y), *right = iris_image_row(c->right, y);
     int32_t w = c->w;
@@ -137,15 +137,16 @@ static void pixel_costs(const iris_stereo_costs *c, int32_t y)
     for (int32_t x = 0; x < w; x++) {
         costs_at(c->costs + (size_t)x * (size_t)c->steps, c, x, left[x]);
     }
+    return c->costs;
 }
 
 /* columns += times costs of row y. */
 static void add_row(iris_stereo_costs *c, int32_t y, int32_t times)
 {
     size_t cells = (size_t)c->w * (size_t)c->steps;
-    pixel_costs(c, y);
+    const uint8_t *costs = iris_stereo_costs_pixels(c, y);
     for (size_t i = 0; i < cells; i++) {
-        c->columns[i] = (uint16_t)(c->columns[i] + times * c->costs[i]);
+        c->columns[i] = (uint16_t)(c->columns[i] + times * costs[i]);
     }
 }
 

@@ -23,9 +23,13 @@ typedef struct {
 iris_status iris_stereo_check(const iris_image *disparity, const iris_image *left, const iris_image *right,
                               const iris_stereo_config *config);
 
-/* Takes IRIS_STEREO_COSTS_SCRATCH_BYTES. */
+/* side: of the windows, odd; 0: pixels alone. Takes IRIS_STEREO_COSTS_SCRATCH_BYTES, and with windows two rows of
+ * sums more. */
 iris_status iris_stereo_costs_begin(iris_stereo_costs *c, const iris_image *left, const iris_image *right,
                                     const iris_stereo_config *config, int32_t side, iris_scratch *scratch);
+
+/* The costs of the pixels of row y, each by itself: w times steps. */
+const uint8_t *iris_stereo_costs_pixels(const iris_stereo_costs *c, int32_t y);
 
 /* Row y, behind row y - 1: w times steps sums, of which those of disparity d at x < d mean nothing. */
 const uint16_t *iris_stereo_costs_row(iris_stereo_costs *c, int32_t y);

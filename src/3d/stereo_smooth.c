@@ -15,7 +15,7 @@ static int insert(uint16_t *sorted, int count, uint16_t value)
 
 static uint16_t median_at(const uint16_t *const rows[5], int32_t x, int32_t w)
 {
-    uint16_t sorted[25];
+    uint16_t sorted[25] = {0};
     int count = 0;
     int32_t first = x < 2 ? 0 : x - 2, last = x > w - 3 ? w - 1 : x + 2;
     for (int k = 0; k < 5; k++) {

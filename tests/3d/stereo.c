@@ -197,6 +197,87 @@ static void extremes_do_not_overflow(void **state)
     run_block(&config);
 }
 
+/* --- semi-global matching as the header says it, with all costs of the picture at once --- */
+
+enum { TALL = 37, NARROW = 9, FEW = 5 };
+
+typedef int32_t volume[TALL][NARROW][FEW];
+
+/* Of all the ways to get to disparity d from a pixel whose paths are `from`, null: the path begins here. */
+static int32_t way_to(const int32_t *from, int32_t d, int32_t leap, int32_t p1)
+{
+    int32_t best = INT32_MAX, least = INT32_MAX;
+    for (int32_t k = 0; k < FEW && from; k++) {
+        int32_t step = k == d ? 0 : abs(k - d) == 1 && p1 < leap ? p1 : leap;
+        best = from[k] + step < best ? from[k] + step : best;
+        least = from[k] < least ? from[k] : least;
+    }
+    return from ? best - least : 0;
+}
+
+static int32_t leap_of(int32_t x, int32_t y, int32_t from_x, int32_t from_y, int32_t p1, int32_t p2)
+{
+    int32_t apart = abs(gray(&p.l, x, y) - gray(&p.l, from_x, from_y));
+    return apart <= 4 ? p2 : p2 / 4 > p1 ? p2 / 4 : p1;
+}
+
+/* Adds the paths that come from (dx, dy) of the rows first to last - 1, where they begin at the latest in row end - 1. */
+static void add_paths(volume sums, int32_t dx, int32_t dy, const int32_t rows[3],
+                      const iris_stereo_semiglobal_config *c)
+{
+    static volume paths;
+    int32_t w = p.l.w, end = rows[2];
+    for (int32_t i = 0; i < end * w; i++) {
+        int32_t y = dy > 0 ? end - 1 - i / w : i / w, x = dx > 0 ? w - 1 - i % w : i % w;
+        int32_t from_x = x + dx, from_y = y + dy;
+        int begins = from_x < 0 || from_x >= w || from_y < 0 || from_y >= end;
+        const int32_t *from = begins ? NULL : paths[from_y][from_x];
+        int32_t leap = begins ? 0 : leap_of(x, y, from_x, from_y, c->p1, c->p2);
+        for (int32_t d = 0; d < FEW; d++) {
+            paths[y][x][d] = pixel_cost(x, y, d, c->stereo.cost) + way_to(from, d, leap, c->p1);
+            sums[y][x][d] += y >= rows[0] && y < rows[1] ? paths[y][x][d] : 0;
+        }
+    }
+}
+
+static void semiglobal_is_the_sum_of_four_paths(void **state)
+{
+    (void)state;
+    static volume sums;
+    static IRIS_SCRATCH_BUFFER(room, IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(NARROW, FEW - 1));
+    static const iris_size sizes[] = {{NARROW, TALL}, {1, 1}, {NARROW, 16}, {4, 33}, {NARROW, 1}};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        make_views(sizes[i].w, sizes[i].h);
+        fill_random(i % 2 ? 255 : 12);
+        int32_t h = sizes[i].h;
+        iris_stereo_semiglobal_config config = {
+            {FEW - 1, IRIS_STEREO_BOTH, 255, 0, 0, 0}, 6, i == 2 ? 10000 : 40};
+        memset(sums, 0, sizeof sums);
+        add_paths(sums, -1, 0, (int32_t[]){0, h, h}, &config);
+        add_paths(sums, 1, 0, (int32_t[]){0, h, h}, &config);
+        add_paths(sums, 0, -1, (int32_t[]){0, h, h}, &config);
+        for (int32_t y = 0; y < h; y += 16) {
+            int32_t last = y + 16 < h ? y + 16 : h;
+            add_paths(sums, 0, 1, (int32_t[]){y, last, last + 16 < h ? last + 16 : h}, &config);
+        }
+        iris_scratch scratch;
+        size_t bytes = IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(sizes[i].w, FEW - 1);
+        assert_int_equal(iris_scratch_init(&scratch, room.memory, bytes), IRIS_OK);
+        assert_int_equal(iris_stereo_semiglobal(&p.d, &p.l, &p.r, &config, &scratch), IRIS_OK);
+        assert_int_equal(scratch.peak, bytes);
+        assert_margins();
+        for (int32_t k = 0; k < h * sizes[i].w; k++) {
+            int32_t x = k % sizes[i].w, y = k / sizes[i].w, best = 0;
+            for (int32_t d = 1; d < FEW && d <= x; d++) {
+                best = sums[y][x][d] < sums[y][x][best] ? d : best;
+            }
+            assert_int_equal((disparity_at(x, y) + 128) / 256, best);
+        }
+        assert_int_equal(iris_scratch_init(&scratch, room.memory, bytes - 1), IRIS_OK);
+        assert_int_equal(iris_stereo_semiglobal(&p.d, &p.l, &p.r, &config, &scratch), IRIS_ERR_SCRATCH);
+    }
+}
+
 /* --- pairs with a known answer --- */
 
 /* Random dots of which a square lies `near` to the front, and the rest `far`. */
@@ -308,7 +389,7 @@ static void smoothing_takes_the_median_of_matches(void **state)
         assert_int_equal(scratch.peak, scratch.bytes);
         assert_margins();
         for (int32_t k = 0; k < p.d.w * p.d.h; k++) {
-            uint16_t around[25];
+            uint16_t around[25] = {0};
             size_t count = 0;
             int32_t x = k % p.d.w, y = k / p.d.w;
             for (int32_t n = 0; n < 25; n++) {
@@ -396,6 +477,15 @@ static void calls_that_are_refused(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         assert_int_equal(iris_stereo_block(&p.d, &p.l, &p.r, &wrong[i], &enough), IRIS_ERR_ARG);
     }
+    static const iris_stereo_semiglobal_config wrong_paths[] = {{{9, 0, 1, 0, 0, 0}, -1, 9},
+                                                                {{9, 0, 1, 0, 0, 0}, 10, 9},
+                                                                {{9, 0, 1, 0, 0, 0}, 1, 10001},
+                                                                {{0, 0, 1, 0, 0, 0}, 1, 9}};
+    for (size_t i = 0; i < sizeof wrong_paths / sizeof wrong_paths[0]; i++) {
+        assert_int_equal(iris_stereo_semiglobal(&p.d, &p.l, &p.r, &wrong_paths[i], &enough), IRIS_ERR_ARG);
+    }
+    assert_int_equal(iris_stereo_semiglobal(&p.d, &p.l, &p.r, NULL, NULL), IRIS_ERR_ARG);
+    assert_int_equal(iris_stereo_semiglobal(&p.l, &p.l, &p.r, NULL, &enough), IRIS_ERR_FORMAT);
     assert_int_equal(iris_stereo_block(&p.l, &p.l, &p.r, &config, &enough), IRIS_ERR_FORMAT);
     iris_image small = p.r, over = p.l;
     small.w--;
@@ -417,6 +507,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(block_is_the_least_of_all_windows),
         cmocka_unit_test(extremes_do_not_overflow),
+        cmocka_unit_test(semiglobal_is_the_sum_of_four_paths),
         cmocka_unit_test(dots_have_their_exact_disparity),
         cmocka_unit_test(slanted_planes_have_fractions),
         cmocka_unit_test(smoothing_takes_the_median_of_matches),

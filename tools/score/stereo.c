@@ -107,6 +107,22 @@ static iris_image block(const pair *p)
     return disparity;
 }
 
+static iris_image semiglobal(const pair *p)
+{
+    iris_image disparity = picture_make(p->left.w, p->left.h, IRIS_GRAY_U16);
+    size_t bytes = IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(p->left.w, p->max_disparity);
+    void *memory = malloc(bytes);
+    iris_scratch scratch;
+    iris_stereo_semiglobal_config config;
+    iris_stereo_semiglobal_defaults(&config);
+    config.stereo.max_disparity = p->max_disparity;
+    if (disparity.data && iris_scratch_init(&scratch, memory, bytes) == IRIS_OK) {
+        (void)iris_stereo_semiglobal(&disparity, &p->left, &p->right, &config, &scratch);
+    }
+    free(memory);
+    return disparity;
+}
+
 typedef struct {
     const char *name;
     double most[2]; /* percent */
@@ -153,7 +169,8 @@ static void score_method(score *s, const stereo_method *method, const pair pairs
 
 void score_stereo(score *s)
 {
-    static const stereo_method methods[] = {{"block", {9, 13}, block}};
+    static const stereo_method methods[] = {{"block", {9, 13}, block},
+                                            {"semiglobal", {4.5, 6.1}, semiglobal}};
     pair pairs[2] = {{.name = "tsukuba", .scale = 16, .max_disparity = 16},
                      {.name = "cones", .scale = 4, .max_disparity = 63}};
     if (load(&pairs[0]) && load(&pairs[1])) {

@@ -63,18 +63,18 @@ typedef struct {
 void iris_stereo_block_defaults(iris_stereo_block_config *config);
 
 /* Working memory: some rows, each with all disparities. */
+#define IRIS_STEREO_ROW_BYTES(w, max_disparity, bytes)                                                       \
+    IRIS_SCRATCH_ROUND((size_t)(bytes) * (size_t)(w) * ((size_t)(max_disparity) + 1u))
 #define IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity)                                                    \
-    (2u * IRIS_SCRATCH_ROUND(2u * (size_t)(w) * ((size_t)(max_disparity) + 1u)) +                            \
-     IRIS_SCRATCH_ROUND((size_t)(w) * ((size_t)(max_disparity) + 1u)) +                                      \
-     IRIS_SCRATCH_ROUND(4u * (size_t)(w)) +                                                                  \
+    (IRIS_STEREO_ROW_BYTES(w, max_disparity, 1) + IRIS_SCRATCH_ROUND(4u * (size_t)(w)) +                     \
      IRIS_SCRATCH_ROUND(4u * ((size_t)(w) + (size_t)(max_disparity))) +                                      \
      IRIS_SCRATCH_ROUND((size_t)(w) + (size_t)(max_disparity)))
 #define IRIS_STEREO_PICK_SCRATCH_BYTES(w)                                                                    \
     (IRIS_SCRATCH_ROUND(2u * (size_t)(w)) + IRIS_SCRATCH_ROUND((size_t)(w)))
 #define IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w) (3u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
 #define IRIS_STEREO_BLOCK_SCRATCH_BYTES(w, max_disparity)                                                    \
-    (IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity) + IRIS_STEREO_PICK_SCRATCH_BYTES(w) +                 \
-     IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
+    (IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity) + 2u * IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) +   \
+     IRIS_STEREO_PICK_SCRATCH_BYTES(w) + IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
 
 /* Block matching: for each place the disparity at which a square window around it differs least, with a parabola
  * through the three costs there for the fraction of a pixel. At the edge of a near thing windows see both this and
@@ -87,6 +87,41 @@ void iris_stereo_block_defaults(iris_stereo_block_config *config);
  * IRIS_STEREO_BLOCK_SCRATCH_BYTES(w, max_disparity). O(w h max_disparity), whatever the side. */
 iris_status iris_stereo_block(const iris_image *disparity, const iris_image *left, const iris_image *right,
                               const iris_stereo_block_config *config, iris_scratch *scratch);
+
+/* --- semi-global --- */
+
+typedef struct {
+    iris_stereo_config stereo; /* default cost: IRIS_STEREO_BOTH */
+    int32_t p1; /* what a step of one disparity from a pixel to the next costs, 0..p2; default 24 */
+    int32_t p2; /* what a larger step costs, p1..IRIS_STEREO_P2_MAX; default 200 */
+} iris_stereo_semiglobal_config;
+
+#define IRIS_STEREO_P2_MAX 10000
+
+/* So many rows are worked on at a time, and so many below are looked at. */
+#define IRIS_STEREO_BAND 16
+
+/* Sensible values, as given above. Null is ignored. */
+void iris_stereo_semiglobal_defaults(iris_stereo_semiglobal_config *config);
+
+#define IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(w, max_disparity)                                               \
+    (IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity) +                                                     \
+     IRIS_STEREO_ROW_BYTES(w, max_disparity, 2 * IRIS_STEREO_BAND) +                                         \
+     IRIS_STEREO_ROW_BYTES(w, max_disparity, IRIS_STEREO_BAND) +                                             \
+     2u * IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) + IRIS_STEREO_ROW_BYTES(1, max_disparity, 2) +          \
+     IRIS_STEREO_PICK_SCRATCH_BYTES(w) + IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
+
+/* Semi-global matching after Hirschmueller (2008), in bands of rows: the costs of single pixels are summed along the
+ * best paths that come from the left, the right, above, and below, on which each change of disparity costs, a large
+ * one a quarter of p2 (or p1, if that is more) where neighbors differ by more than 4 gray levels. No window, hence no
+ * corona to speak of; surfaces without texture are bridged. Paths from below begin at most 2 IRIS_STEREO_BAND rows
+ * below.
+ *
+ * Parameters and errors as iris_stereo_block, with IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(w, max_disparity).
+ * O(w h max_disparity), about twice the time of iris_stereo_block. */
+iris_status iris_stereo_semiglobal(const iris_image *disparity, const iris_image *left,
+                                   const iris_image *right, const iris_stereo_semiglobal_config *config,
+                                   iris_scratch *scratch);
 
 /* --- what is done to disparities --- */
 
