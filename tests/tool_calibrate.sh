@@ -43,11 +43,61 @@ awk '{ print -$1, $2, $3 }' s11.txt > mirror.txt; head -11 image.txt > i11.txt
 refuses "a mirror" 1 "mirror.txt: only a mirror" scene mirror.txt i11.txt
 refuses "one file" 2 "scene takes two files" scene space.txt
 refuses "no such file" 1 "nowhere.txt: " scene nowhere.txt image.txt
-refuses "no kind" 2 "circus: scene .*is to stand behind calibrate" circus
+refuses "no kind" 2 "circus: scene or board is to stand behind calibrate" circus
 
 if [ -d "$data/calib/scene3d" ]; then
     works "20 points of a course" scene "$data/calib/scene3d/pts3d-norm.txt" "$data/calib/scene3d/pts2d-norm-pic_a.txt" --json
     near residual 0.04455 0.00005; near center -1.51267725 0.001
 else
     echo "ok - 20 points of a course # SKIP no data (IRIS_DATA)"
+fi
+
+# --- board: views of it by a camera of focal length 600, principal point (320, 240), k1 = -0.2 ---
+awk 'BEGIN { for (v = 0; v < 5; v++) { a = 1.2566 * v; t = 0.5; c = cos(t); s = sin(t); p = cos(a); q = sin(a)
+    for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) {
+        x = 25 * i - 87.5; y = 25 * j - 62.5; along = p * x + q * y; across = q * x - p * y
+        u = p * along + q * across * c; w = q * along - p * across * c; z = 300 + across * s
+        u /= z; w /= z; d = 1 - 0.2 * (u * u + w * w)
+        printf "%.9g %.9g\n", 320 + 600 * u * d, 240 + 600 * w * d > "view" v ".txt" } } }'
+works "board" board --board 8x6 --square 25mm --image-size 640x480 --corners view?.txt
+grep -q '^5 views, off by 0.0000 pixels' out && grep -q '^fx  *600  ' out && grep -q '^view4.txt: .* mm away$' out; say $? "in words"
+grep -q '^good: ' out; say $? "its verdict"
+works "board --json" board --board 8x6 --square 2.5cm --corners --json view?.txt
+near fx 600 0.001; near fy 600 0.001; near skew 0 0; near u0 320 0.001; near v0 240 0.001; near k1 -0.2 0.0001; near rms_px 0 0.00001
+grep -q '^{"fx":.*"rms_px":.*"deviations":{"fx":.*"skew":null,.*"verdict":\[\],"views":\[{"file":"view0.txt","rms_px":[^,]*,"turn":\[.*"shift":\[.*,"corners":\[\[[0-9.]*,[0-9.]*\],' out
+say $? "--json: its keys"
+works "board --model" board --board 8x6 --model skew,tangential --corners --json view?.txt
+grep -q '"k3":0,.*"deviations":{.*"skew":[0-9].*"k3":null,"p1":[0-9]' out; say $? "looks for what it names"
+awk 'BEGIN { for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) print 25 * i "," 25 * j }' > board.csv
+works "board --points" board --points board.csv --corners --json view?.txt
+near fx 600 0.001
+awk '{ print $1 + 3 * (NR % 2), $2 }' view3.txt > rough.txt
+works "a view that does not fit" board --board 8x6 --corners view0.txt view1.txt view2.txt view4.txt rough.txt view0.txt view1.txt view2.txt view4.txt view0.txt view1.txt view2.txt view4.txt
+grep -q '^rough.txt does not fit the other views: ' out && ! grep -q '^good' out; say $? "is told"
+works "a large picture" board --board 8x6 --image-size 1600x1200 --corners view?.txt
+grep -q 'cover little of the picture' out; say $? "is covered little"
+awk 'BEGIN { for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) print 100 + 40 * i, 100 + 40 * j }' > facing.txt
+refuses "a board that faces the camera" 1 "calibrate: the board faces the camera in all views" board --board 8x6 --corners facing.txt facing.txt
+head -47 view0.txt > few.txt
+refuses "a corner too few" 1 "few.txt: 47 corners, but the board has 48" board --board 8x6 --corners view1.txt few.txt
+sort -n view0.txt > sorted.txt
+refuses "corners in another order" 1 "few views|sorted.txt: |faces" board --board 8x6 --corners sorted.txt
+awk '{ print $1, $1 }' view0.txt > line.txt
+refuses "corners on a line" 1 "line.txt: the corners are on one line" board --board 8x6 --corners view0.txt line.txt
+refuses "no board" 2 "the board is needed once" board --corners view0.txt
+refuses "--board" 2 "board: CxR, .*, not '9'" board --board 9 --corners view0.txt
+refuses "--square" 2 "square: a length .*, not '25ft'" board --board 8x6 --square 25ft --corners view0.txt
+refuses "--model" 2 "model: any of .*, not 'k4'" board --board 8x6 --model k4 --corners view0.txt
+refuses "--image-size" 2 "image-size: WxH" board --board 8x6 --image-size 640 --corners view0.txt
+refuses "pictures" 2 "lists of corners: --corners FILE" board --board 8x6 view0.txt
+refuses "no lists" 2 "lists of corners: --corners FILE" board --board 8x6 --corners
+
+if [ -d "$data/calib/chessboard" ]; then
+    works "13 corner lists" board --board 9x6 --square 25mm --image-size 640x480 --json --corners "$data"/calib/chessboard/*_corners.txt
+    near rms_px 0.195419 0.00002; near fx 532.8272 0.05; near v0 233.85575 0.05
+    near 'deviations":."fx' 0.437896 0.0005; grep -q '"k1":0.00542[0-9]*,"k2":0.0415[0-9]*,"k3":0.0887' out; say $? "deviations as OpenCV's"
+    works "Zhang's five views" board --points "$data/calib/zhang/Model.txt" --model skew --json --corners "$data"/calib/zhang/data?.txt
+    near fx 832.5 0.01; near skew 0.204494 0.001; near u0 303.959 0.001; near v0 206.585 0.001; near k1 -0.228601 0.00001; near k2 0.190353 0.0001
+else
+    echo "ok - chessboards, and Zhang's views # SKIP no data (IRIS_DATA)"
 fi

@@ -2,6 +2,7 @@
 #ifndef IRIS_TOOL_CALIBRATE_H
 #define IRIS_TOOL_CALIBRATE_H
 
+int calibrate_board(int argc, char **argv);
 int calibrate_scene(int argc, char **argv);
 
 #endif

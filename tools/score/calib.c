@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "iris/3d/calib_board.h"
 #include "iris/3d/calib_scene.h"
 #include "picture.h"
 #include "score.h"
@@ -69,7 +70,92 @@ static void score_scene(score *s)
               away(&fit.refined, truth + 12));
 }
 
+#define VIEWS  13
+#define POINTS 256
+
+/* The board's points, and those of the views' files: how many views there are. */
+static int read_views(iris_board_view *views, const iris_q32 *board, int points, const char *format, int most)
+{
+    static iris_board_point all[VIEWS][POINTS];
+    static iris_q32 numbers[2 * POINTS];
+    int count = 0;
+    for (int i = 1; i <= most && count < VIEWS; i++) {
+        char name[64];
+        snprintf(name, sizeof name, format, i);
+        if (read_numbers(numbers, 2 * points, name) == 2 * points) {
+            for (int k = 0; k < points; k++) {
+                all[count][k] = (iris_board_point){{board[2 * k], board[2 * k + 1]},
+                                                   {numbers[2 * k], numbers[2 * k + 1]}};
+            }
+            views[count] = (iris_board_view){all[count], points};
+            count++;
+        }
+    }
+    return count;
+}
+
+static int fit_board(iris_board_fit *fit, const iris_board_view *views, int count, uint32_t model)
+{
+    static IRIS_SCRATCH_BUFFER(memory, IRIS_BOARD_SCRATCH_BYTES(VIEWS));
+    static iris_board_place places[VIEWS];
+    const iris_board_config config = {model, {640, 480}};
+    iris_scratch scratch;
+    (void)iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
+    return iris_board_calibrate(fit, places, views, count, &config, &scratch) == IRIS_OK;
+}
+
+static int is_near(iris_q32 found, double wanted, double most)
+{
+    return fabs(real(found) - wanted) <= most;
+}
+
+static void score_zhang(score *s)
+{
+    static const char what[] = "Zhang's five views: focal lengths, published 832.5 and 832.53";
+    static iris_q32 board[2 * POINTS];
+    iris_board_view views[VIEWS];
+    iris_board_fit fit;
+    if (read_numbers(board, 2 * POINTS, "calib/zhang/Model.txt") != 2 * POINTS ||
+        read_views(views, board, POINTS, "calib/zhang/data%d.txt", 5) != 5) {
+        score_row(s, what, "within 0.1 %", SCORE_SKIPPED, "no data (IRIS_DATA)");
+        return;
+    }
+    int good = fit_board(&fit, views, 5, IRIS_BOARD_SHEAR);
+    const iris_intrinsics k = fit.intrinsics;
+    score_row(s, what, "within 0.1 %",
+              score_if(good && is_near(k.alpha_u, 832.5, 0.8325) && is_near(k.alpha_v, 832.53, 0.8325)),
+              "%.3f, %.3f", real(k.alpha_u), real(k.alpha_v));
+    score_row(s, "the same: principal point, published 303.959, 206.585", "within 0.5 px",
+              score_if(good && is_near(k.u0, 303.959, 0.5) && is_near(k.v0, 206.585, 0.5)),
+              "%.3f, %.3f; k1 %.5f, k2 %.5f (published -0.22860, 0.19035)", real(k.u0), real(k.v0),
+              real(fit.lens.k1), real(fit.lens.k2));
+    good = fit_board(&fit, views, 5, 0);
+    score_row(s, "the same without skew: rms; 0.3369 px in double precision", "within 0.1 %",
+              score_if(good && is_near(fit.rms, 0.3369, 0.0003369)), "%.5f px", real(fit.rms));
+}
+
+static void score_chessboard(score *s)
+{
+    static const char what[] = "chessboard, 13 lists of corners: rms; OpenCV's 0.1954 px";
+    iris_q32 board[108];
+    iris_board_view views[VIEWS];
+    iris_board_fit fit;
+    for (int i = 0; i < 54; i++) {
+        board[2 * i] = i % 9 * 25 * IRIS_Q32_ONE;
+        board[2 * i + 1] = i / 9 * 25 * IRIS_Q32_ONE;
+    }
+    if (read_views(views, board, 54, "calib/chessboard/left%02d_corners.txt", 14) != VIEWS) {
+        score_row(s, what, "within 1 %", SCORE_SKIPPED, "no data (IRIS_DATA)");
+        return;
+    }
+    int good = fit_board(&fit, views, VIEWS, IRIS_BOARD_K3 | IRIS_BOARD_TANGENTIAL);
+    score_row(s, what, "within 1 %", score_if(good && is_near(fit.rms, 0.195419, 0.00195)),
+              "%.6f px; focal length %.3f (OpenCV 532.827)", real(fit.rms), real(fit.intrinsics.alpha_u));
+}
+
 void score_calib(score *s)
 {
     score_scene(s);
+    score_zhang(s);
+    score_chessboard(s);
 }

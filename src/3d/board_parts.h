@@ -1,0 +1,57 @@
+/* What the parts of a calibration from a board share. */
+#ifndef IRIS_BOARD_PARTS_H
+#define IRIS_BOARD_PARTS_H
+
+#include "iris/3d/calib_board.h"
+#include "null_vector.h"
+
+#define IRIS_BOARD_POSE     6 /* unknowns of a view */
+#define IRIS_BOARD_UNKNOWNS (IRIS_BOARD_POSE + IRIS_BOARD_PARAMETERS)
+
+/* From the board to the camera: turn X + shift. */
+typedef struct {
+    iris_mat3 turn;
+    iris_vec3 shift;
+} iris_board_motion;
+
+/* Places are middle + reach times what is computed with: on the board, and in the picture. */
+typedef struct {
+    iris_vec2 board, image;
+    iris_q32 board_reach, image_reach;
+} iris_board_frame;
+
+typedef struct {
+    const iris_board_view *views;
+    int32_t count;
+    iris_board_frame frame;
+    iris_board_motion *motions, *trial; /* of each view */
+    iris_q32 shared[IRIS_BOARD_PARAMETERS];
+    int active[IRIS_BOARD_PARAMETERS]; /* which of them are looked for */
+    int active_count;
+    iris_triangle view, all; /* of a view and the active ones; of the active ones */
+} iris_board_problem;
+
+/* A point of a view in the frame: on the board, and in the picture. */
+iris_board_point iris_board_scaled(const iris_board_problem *of, const iris_board_point *point);
+
+/* The two equations of a point: the unknowns are a turn (three), a shift (three), and the shared parameters; to the
+ * right what is missing to the place in the picture. */
+typedef struct {
+    iris_q32 right[IRIS_BOARD_UNKNOWNS + 1], down[IRIS_BOARD_UNKNOWNS + 1];
+} iris_board_rows;
+
+/* What is missing of a point, in the frame, and with `rows` also the equations. Returns 0 behind the camera, and far
+ * off the picture. */
+int iris_board_show(iris_vec2 *missing, iris_board_rows *rows, const iris_q32 shared[IRIS_BOARD_PARAMETERS],
+                    const iris_board_motion *motion, const iris_board_point *point);
+
+/* The frame, the focal lengths, and the motions to begin with. */
+iris_board_flaw iris_board_start(iris_board_problem *of, int32_t *flawed, iris_size size);
+
+/* The best parameters and motions from there. Returns 0 when some point is behind the camera at the start. */
+int iris_board_refine(iris_board_problem *of);
+
+/* Standard deviations of the parameters in the frame, if noise is 1. */
+void iris_board_deviations(iris_q32 deviations[IRIS_BOARD_PARAMETERS], iris_board_problem *of);
+
+#endif

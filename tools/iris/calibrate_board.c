@@ -1,0 +1,362 @@
+/* iris calibrate board. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "args.h"
+#include "calibrate.h"
+#include "calibrate_json.h"
+#include "complain.h"
+#include "iris/3d/calib_board.h"
+#include "number_file.h"
+#include "one_line.h"
+
+static const char help[] =
+    "usage: iris calibrate board (--board CxR --square SIZE | --points FILE) [--model TERMS]\n"
+    "                            [--image-size WxH] [--json] --corners FILE...\n\n"
+    "From views of a board with known points, such as the inner corners of a chessboard, to the camera,\n"
+    "its lens, and how well both are known.\n\n"
+    "  --board CxR      inner corners in a row, and rows: 9x6\n"
+    "  --square SIZE    of the board's squares: 25mm, 2.5cm, 0.025m, 1in, or 25 of no unit. Default: 1\n"
+    "  --points FILE    any other board: a point per line, x y, in any unit\n"
+    "  --corners        the files are lists of corners: x y in pixels, in the board's order, row by row\n"
+    "  --model TERMS    what is looked for beside focal lengths, principal point, k1, and k2: any of\n"
+    "                   skew, k3, and tangential, with commas between, or none. Default: k3,tangential\n"
+    "  --image-size WxH of the pictures, to tell how much of them the corners cover\n"
+    "  --json           one JSON object\n\n"
+    "Ten views that tilt the board by 30 degrees and more, this way and that, and together fill the\n"
+    "picture, are good. JSON has fx, fy, skew, u0, v0, k1, k2, k3, p1, p2 (the lens's terms as OpenCV's),\n"
+    "rms_px, deviations (the standard deviation of each, null where it was not looked for), verdict (a\n"
+    "list of sentences; empty: nothing is to be said against it), and views: file, rms_px, turn (a vector\n"
+    "in radians) and shift, which bring the board's points to the camera, and corners.\n\n"
+    "example: iris calibrate board --board 9x6 --square 25mm --corners left*_corners.txt --json\n";
+
+#define POINTS 1024 /* of a board */
+
+typedef struct {
+    char **files;
+    iris_board_view views[IRIS_BOARD_VIEWS_MAX];
+    iris_board_place places[IRIS_BOARD_VIEWS_MAX];
+    int32_t count;
+    iris_vec2 board[POINTS];
+    int points;
+    const char *unit;
+    iris_board_config config;
+    iris_board_fit fit;
+} session;
+
+typedef struct {
+    const char *board, *square, *points, *model, *size;
+} texts;
+
+/* A number and its unit. */
+static int read_square(session *s, iris_q32 *side, const char *text)
+{
+    static const char *const units[] = {"mm", "cm", "m", "in"};
+    char number[32];
+    size_t length = strspn(text, "0123456789.");
+    s->unit = text + length;
+    int known = *s->unit == '\0';
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        known |= strcmp(s->unit, units[i]) == 0;
+    }
+    snprintf(number, sizeof number, "%.*s", (int)length, text);
+    if (!known || length >= sizeof number || !number_text_read(side, number) ||
+        *side < IRIS_Q32_ONE / 1000000 || *side > 1000000 * IRIS_Q32_ONE) {
+        complain("--square", "a length such as 25mm, 2.5cm, 0.025m, 1in, or 25, not '%s'", text);
+        return 0;
+    }
+    return 1;
+}
+
+static int read_board(session *s, const texts *given)
+{
+    int32_t sides[2] = {0, 0};
+    iris_q32 side = IRIS_Q32_ONE;
+    s->unit = "";
+    if (!given->board == !given->points) {
+        complain(NULL, "the board is needed once: --board CxR or --points FILE");
+        return EXIT_BAD_CALL;
+    }
+    if (given->points) {
+        number_table table = {&s->board[0].x, NULL, 0, POINTS, 2};
+        int read = number_file_read(&table, given->points);
+        s->points = table.rows;
+        return read ? EXIT_DONE : EXIT_BAD_DATA;
+    }
+    if (given->square && !read_square(s, &side, given->square)) {
+        return EXIT_BAD_CALL;
+    }
+    if (!args_numbers(sides, 2, 'x', given->board) || sides[0] < 2 || sides[1] < 2 || sides[0] > 512 ||
+        sides[1] > POINTS / sides[0]) {
+        complain("--board", "CxR, inner corners in a row and rows, each 2 at least, %d in all, not '%s'",
+                 POINTS, given->board);
+        return EXIT_BAD_CALL;
+    }
+    s->points = sides[0] * sides[1];
+    for (int i = 0; i < s->points; i++) {
+        s->board[i] = (iris_vec2){i % sides[0] * side, i / sides[0] * side};
+    }
+    return EXIT_DONE;
+}
+
+static int read_model(uint32_t *model, const char *text)
+{
+    static const struct {
+        const char *name;
+        uint32_t bit;
+    } terms[] = {{"skew", IRIS_BOARD_SHEAR}, {"k3", IRIS_BOARD_K3}, {"tangential", IRIS_BOARD_TANGENTIAL}};
+    *model = 0;
+    for (const char *at = strcmp(text, "none") == 0 ? "" : text; *at != '\0';) {
+        size_t length = strcspn(at, ","), i = 0;
+        while (i < 3 && (strlen(terms[i].name) != length || strncmp(terms[i].name, at, length) != 0)) {
+            i++;
+        }
+        if (i == 3) {
+            complain("--model", "any of skew, k3, and tangential, with commas between, or none, not '%s'",
+                     text);
+            return 0;
+        }
+        *model |= terms[i].bit;
+        at += length + (at[length] == ',');
+    }
+    return 1;
+}
+
+static int read_size(iris_size *size, const char *text)
+{
+    int32_t sides[2];
+    if (!args_numbers(sides, 2, 'x', text) || sides[0] < 1 || sides[0] > IRIS_SIDE_MAX || sides[1] < 1 ||
+        sides[1] > IRIS_SIDE_MAX) {
+        complain("--image-size", "WxH in pixels, not '%s'", text);
+        return 0;
+    }
+    *size = (iris_size){sides[0], sides[1]};
+    return 1;
+}
+
+/* The corners of a view beside the board's points. */
+static int read_view(session *s, int32_t v)
+{
+    static iris_vec2 corners[POINTS];
+    number_table table = {&corners[0].x, NULL, 0, POINTS, 2};
+    if (!number_file_read(&table, s->files[v])) {
+        return 0;
+    }
+    if (table.rows != s->points) {
+        complain(s->files[v], "%d corners, but the board has %d", table.rows, s->points);
+        return 0;
+    }
+    iris_board_point *points = malloc(((size_t)s->points + 1) * sizeof *points);
+    if (!points) {
+        complain(s->files[v], "not enough memory");
+        return 0;
+    }
+    for (int i = 0; i < s->points; i++) {
+        points[i] = (iris_board_point){s->board[i], corners[i]};
+    }
+    s->views[v] = (iris_board_view){points, s->points};
+    return 1;
+}
+
+static void complain_flaw(const session *s)
+{
+    static const char *const said[] = {
+        [IRIS_BOARD_FINE] = "",
+        [IRIS_BOARD_TOO_FEW] = "too few views, or corners in them, for so many parameters",
+        [IRIS_BOARD_IN_LINE] = "the corners are on one line, or at fewer than four places",
+        [IRIS_BOARD_FACING] = "the board faces the camera in all views: tilt it, by 30 degrees or more",
+        [IRIS_BOARD_BEHIND] = "no camera sees the corners so: are they in the board's order?"};
+    complain(s->fit.flawed >= 0 ? s->files[s->fit.flawed] : NULL, "%s", said[s->fit.flaw]);
+}
+
+/* What is to be said against the result: sentences, one for each i from 0 on. 0: there are no more. */
+static int verdict(char text[256], const session *s, int i)
+{
+    int n = 0;
+    if (s->fit.remarks & IRIS_BOARD_COVERS_LITTLE && n++ == i) {
+        snprintf(text, 256,
+                 "the corners cover little of the picture (%d of 64 fields): the lens is a guess elsewhere",
+                 (int)s->fit.fields);
+        return 1;
+    }
+    if (s->fit.remarks & IRIS_BOARD_TURNS_LITTLE && n++ == i) {
+        snprintf(text, 256, "the board is tilted alike in all views: add views tilted to other sides");
+        return 1;
+    }
+    if (s->fit.remarks & IRIS_BOARD_LOOSE && n++ == i) {
+        snprintf(text, 256, "the focal lengths are uncertain by %.2g %%: add views that tilt the board more",
+                 100 * calibrate_real(s->fit.deviations[IRIS_BOARD_ALPHA_U]) /
+                     calibrate_real(s->fit.intrinsics.alpha_u));
+        return 1;
+    }
+    for (int32_t v = 0; v < s->count; v++) {
+        if (s->places[v].rms > 3 * s->fit.rms && n++ == i) {
+            snprintf(text, 256, "%.120s does not fit the other views: %.2f px", s->files[v],
+                     calibrate_real(s->places[v].rms));
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static const char *const NAMES[IRIS_BOARD_PARAMETERS] = {"fx", "fy", "skew", "u0", "v0",
+                                                         "k1", "k2", "k3",   "p1", "p2"};
+
+static void values_of(iris_q32 values[IRIS_BOARD_PARAMETERS], const iris_board_fit *fit)
+{
+    const iris_intrinsics *k = &fit->intrinsics;
+    const iris_lens *l = &fit->lens;
+    const iris_q32 all[IRIS_BOARD_PARAMETERS] = {k->alpha_u, k->alpha_v, k->shear, k->u0, k->v0,
+                                                 l->k1,      l->k2,      l->k3,    l->p1, l->p2};
+    memcpy(values, all, sizeof all);
+}
+
+static void print_view_json(json_writer *json, const session *s, int32_t v)
+{
+    const iris_pose *pose = &s->places[v].pose;
+    const iris_vec3 turn = iris_rotation_to_vector(&pose->turn);
+    const iris_vec3 shift = iris_pose_into(pose, (iris_vec3){0, 0, 0});
+    json_open(json, '{');
+    json_key(json, "file");
+    json_string(json, s->files[v]);
+    calibrate_number(json, "rms_px", s->places[v].rms);
+    calibrate_numbers(json, "turn", (const iris_q32[3]){turn.x, turn.y, turn.z}, 1, 3);
+    calibrate_numbers(json, "shift", (const iris_q32[3]){shift.x, shift.y, shift.z}, 1, 3);
+    json_key(json, "corners");
+    json_open(json, '[');
+    for (int i = 0; i < s->points; i++) {
+        json_open(json, '[');
+        json_number(json, calibrate_real(s->views[v].points[i].image.x), 4);
+        json_number(json, calibrate_real(s->views[v].points[i].image.y), 4);
+        json_close(json, ']');
+    }
+    json_close(json, ']');
+    json_close(json, '}');
+}
+
+static void print_json(const session *s)
+{
+    char text[256];
+    iris_q32 values[IRIS_BOARD_PARAMETERS];
+    json_writer json = json_to(stdout);
+    values_of(values, &s->fit);
+    json_open(&json, '{');
+    for (int k = 0; k < IRIS_BOARD_PARAMETERS; k++) {
+        calibrate_number(&json, NAMES[k], values[k]);
+    }
+    calibrate_number(&json, "rms_px", s->fit.rms);
+    json_key(&json, "deviations");
+    json_open(&json, '{');
+    for (int k = 0; k < IRIS_BOARD_PARAMETERS; k++) {
+        if (s->fit.deviations[k] > 0) {
+            calibrate_number(&json, NAMES[k], s->fit.deviations[k]);
+        } else {
+            json_key(&json, NAMES[k]);
+            json_null(&json);
+        }
+    }
+    json_close(&json, '}');
+    json_key(&json, "verdict");
+    json_open(&json, '[');
+    for (int i = 0; verdict(text, s, i); i++) {
+        json_string(&json, text);
+    }
+    json_close(&json, ']');
+    json_key(&json, "views");
+    json_open(&json, '[');
+    for (int32_t v = 0; v < s->count; v++) {
+        print_view_json(&json, s, v);
+    }
+    json_close(&json, ']');
+    json_close(&json, '}');
+}
+
+static void print_text(const session *s)
+{
+    char text[256];
+    iris_q32 values[IRIS_BOARD_PARAMETERS];
+    values_of(values, &s->fit);
+    printf("%d views, off by %.4f pixels (root mean square)\n", (int)s->count, calibrate_real(s->fit.rms));
+    for (int k = 0; k < IRIS_BOARD_PARAMETERS; k++) {
+        if (s->fit.deviations[k] > 0) {
+            printf("%-5s %12.6g  +- %.2g\n", NAMES[k], calibrate_real(values[k]),
+                   calibrate_real(s->fit.deviations[k]));
+        }
+    }
+    for (int32_t v = 0; v < s->count; v++) {
+        one_line(stdout, s->files[v]);
+        printf(": %.4f pixels, center %.1f %s away\n", calibrate_real(s->places[v].rms),
+               calibrate_real(iris_vec3_length(
+                   iris_vec3_sub(s->places[v].pose.place, (iris_vec3){s->board[0].x, s->board[0].y, 0}))),
+               *s->unit ? s->unit : "units");
+    }
+    for (int i = 0; verdict(text, s, i); i++) {
+        one_line(stdout, text);
+        printf("\n");
+    }
+    if (!verdict(text, s, 0)) {
+        printf("good: nothing is to be said against it\n");
+    }
+}
+
+static int run(session *s, int json)
+{
+    static IRIS_SCRATCH_BUFFER(memory, IRIS_BOARD_SCRATCH_BYTES(IRIS_BOARD_VIEWS_MAX));
+    iris_scratch scratch;
+    int exit_code = EXIT_BAD_DATA, read = 1;
+    for (int32_t v = 0; v < s->count && read; v++) {
+        read = read_view(s, v);
+    }
+    (void)iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
+    if (read &&
+        iris_board_calibrate(&s->fit, s->places, s->views, s->count, &s->config, &scratch) != IRIS_OK) {
+        complain_flaw(s);
+    } else if (read) {
+        exit_code = EXIT_DONE;
+        if (json) {
+            print_json(s);
+        } else {
+            print_text(s);
+        }
+    }
+    for (int32_t v = 0; v < s->count; v++) {
+        free((void *)(uintptr_t)s->views[v].points);
+    }
+    return exit_code;
+}
+
+int calibrate_board(int argc, char **argv)
+{
+    static session s;
+    texts given = {.model = "k3,tangential"};
+    int json = 0, corners = 0;
+    const args_option options[] = {{"board", 0, NULL, &given.board},
+                                   {"square", 0, NULL, &given.square},
+                                   {"points", 0, NULL, &given.points},
+                                   {"model", 0, NULL, &given.model},
+                                   {"corners", 0, &corners, NULL},
+                                   {"image-size", 0, NULL, &given.size},
+                                   {"json", 0, &json, NULL}};
+    arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
+    int exit_code = args_parse(&args, argc, argv);
+    if (exit_code != ARGS_GO) {
+        return exit_code;
+    }
+    if (!read_model(&s.config.model, given.model) || (given.size && !read_size(&s.config.size, given.size))) {
+        return EXIT_BAD_CALL;
+    }
+    exit_code = read_board(&s, &given);
+    if (exit_code != EXIT_DONE) {
+        return exit_code;
+    }
+    if (!corners || args.operand_count < 1 || args.operand_count > IRIS_BOARD_VIEWS_MAX) {
+        complain(NULL,
+                 "board takes 1 to %d lists of corners: --corners FILE... (see iris calibrate board --help)",
+                 IRIS_BOARD_VIEWS_MAX);
+        return EXIT_BAD_CALL;
+    }
+    s.files = args.operands;
+    s.count = args.operand_count;
+    return run(&s, json);
+}
