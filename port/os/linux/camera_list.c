@@ -62,51 +62,71 @@ iris_status iris_camera_list(iris_camera *cameras, int32_t *count, int32_t capac
     return count_status(*count, capacity);
 }
 
-/* A list of the driver's has ended, or could not be read. */
-static iris_status end_status(int error, int32_t count, int32_t capacity)
+/* A list that is read from a driver. */
+typedef struct listing {
+    void *entries; /* of the kind that ask fills */
+    int32_t capacity;
+    uint32_t type, fourcc;
+    iris_size size;
+    int is_whole; /* an answer said all that there is */
+
+    /* Asks for answer i and, if there is room, makes it entry i. 0 or errno. */
+    int (*ask)(struct listing *list, int handle, uint32_t i);
+} listing;
+
+static int has_room(const listing *list, uint32_t i)
 {
-    if (error != 0 && error != EINVAL && error != ENOTTY) {
-        return IRIS_ERR_IO;
+    return i < (uint32_t)list->capacity;
+}
+
+static iris_status read_list(int32_t *count, const char *path, listing *list)
+{
+    struct v4l2_capability capability;
+    int handle;
+    int error = video_open(&handle, &list->type, &capability, path);
+    *count = 0;
+    if (error != 0) {
+        return video_open_status(error);
     }
-    return count_status(count, capacity);
+    while (*count < ANSWERS_MAX && !list->is_whole) {
+        error = list->ask(list, handle, (uint32_t)*count);
+        if (error != 0) {
+            break;
+        }
+        ++*count;
+    }
+    (void)close(handle);
+    return error != 0 && error != EINVAL && error != ENOTTY ? IRIS_ERR_IO
+                                                            : count_status(*count, list->capacity);
+}
+
+static int ask_format(listing *list, int handle, uint32_t i)
+{
+    struct v4l2_fmtdesc offer;
+    memset(&offer, 0, sizeof offer);
+    offer.index = i;
+    offer.type = list->type;
+    int error = video_ask(handle, VIDIOC_ENUM_FMT, &offer);
+    if (error == 0 && has_room(list, i)) {
+        iris_camera_format *format = (iris_camera_format *)list->entries + i;
+        const video_format *found = video_format_find(offer.pixelformat);
+        memset(format, 0, sizeof *format);
+        video_fourcc_text(format->fourcc, offer.pixelformat);
+        problem_text_copy(format->description, sizeof format->description, offer.description,
+                          sizeof offer.description);
+        format->format = found ? found->format : 0;
+    }
+    return error;
 }
 
 iris_status iris_camera_list_formats(iris_camera_format *formats, int32_t *count, const char *path,
                                      int32_t capacity)
 {
+    listing list = {.entries = formats, .capacity = capacity, .ask = ask_format};
     if (!count || !path || capacity < 0 || (capacity > 0 && !formats)) {
         return IRIS_ERR_ARG;
     }
-    struct v4l2_capability capability;
-    uint32_t type;
-    int handle;
-    int error = video_open(&handle, &type, &capability, path);
-    *count = 0;
-    if (error != 0) {
-        return video_open_status(error);
-    }
-    for (uint32_t i = 0; i < ANSWERS_MAX; i++) {
-        struct v4l2_fmtdesc offer;
-        memset(&offer, 0, sizeof offer);
-        offer.index = i;
-        offer.type = type;
-        error = video_ask(handle, VIDIOC_ENUM_FMT, &offer);
-        if (error != 0) {
-            break;
-        }
-        if (*count < capacity) {
-            iris_camera_format *format = &formats[*count];
-            const video_format *found = video_format_find(offer.pixelformat);
-            memset(format, 0, sizeof *format);
-            video_fourcc_text(format->fourcc, offer.pixelformat);
-            problem_text_copy(format->description, sizeof format->description, offer.description,
-                              sizeof offer.description);
-            format->format = found ? found->format : 0;
-        }
-        ++*count;
-    }
-    (void)close(handle);
-    return end_status(error, *count, capacity);
+    return read_list(count, path, &list);
 }
 
 static int32_t side(uint32_t pixels)
@@ -114,96 +134,72 @@ static int32_t side(uint32_t pixels)
     return pixels <= INT32_MAX ? (int32_t)pixels : INT32_MAX;
 }
 
+static int ask_sizes(listing *list, int handle, uint32_t i)
+{
+    struct v4l2_frmsizeenum answer;
+    memset(&answer, 0, sizeof answer);
+    answer.index = i;
+    answer.pixel_format = list->fourcc;
+    int error = video_ask(handle, VIDIOC_ENUM_FRAMESIZES, &answer);
+    if (error != 0) {
+        return error;
+    }
+    const struct v4l2_frmsize_stepwise *all = &answer.stepwise;
+    iris_camera_sizes sizes = {{side(all->min_width), side(all->min_height)},
+                               {side(all->max_width), side(all->max_height)},
+                               {side(all->step_width), side(all->step_height)}};
+    list->is_whole = answer.type != V4L2_FRMSIZE_TYPE_DISCRETE;
+    if (!list->is_whole) {
+        const iris_size single = {side(answer.discrete.width), side(answer.discrete.height)};
+        sizes = (iris_camera_sizes){single, single, {0, 0}};
+    }
+    if (has_room(list, i)) {
+        ((iris_camera_sizes *)list->entries)[i] = sizes;
+    }
+    return 0;
+}
+
 iris_status iris_camera_list_sizes(iris_camera_sizes *sizes, int32_t *count, const char *path,
                                    const char *fourcc, int32_t capacity)
 {
-    if (!count || !path || !fourcc || capacity < 0 || (capacity > 0 && !sizes) ||
-        !video_fourcc_parse(fourcc)) {
+    listing list = {.entries = sizes, .capacity = capacity, .ask = ask_sizes};
+    list.fourcc = fourcc ? video_fourcc_parse(fourcc) : 0;
+    if (!count || !path || !list.fourcc || capacity < 0 || (capacity > 0 && !sizes)) {
         return IRIS_ERR_ARG;
     }
-    struct v4l2_capability capability;
-    uint32_t type;
-    int handle;
-    int error = video_open(&handle, &type, &capability, path);
-    *count = 0;
-    if (error != 0) {
-        return video_open_status(error);
-    }
-    for (uint32_t i = 0; i < ANSWERS_MAX; i++) {
-        struct v4l2_frmsizeenum answer;
-        memset(&answer, 0, sizeof answer);
-        answer.index = i;
-        answer.pixel_format = video_fourcc_parse(fourcc);
-        error = video_ask(handle, VIDIOC_ENUM_FRAMESIZES, &answer);
-        if (error != 0) {
-            break;
-        }
-        const struct v4l2_frmsize_stepwise *all = &answer.stepwise;
-        int single = answer.type == V4L2_FRMSIZE_TYPE_DISCRETE;
-        if (*count < capacity && single) {
-            iris_size size = {side(answer.discrete.width), side(answer.discrete.height)};
-            sizes[*count] = (iris_camera_sizes){size, size, {0, 0}};
-        } else if (*count < capacity) {
-            sizes[*count] = (iris_camera_sizes){{side(all->min_width), side(all->min_height)},
-                                                {side(all->max_width), side(all->max_height)},
-                                                {side(all->step_width), side(all->step_height)}};
-        }
-        ++*count;
-        if (!single) {
-            break; /* one answer says all */
-        }
-    }
-    (void)close(handle);
-    return end_status(error, *count, capacity);
+    return read_list(count, path, &list);
 }
 
-/* Of an interval between frames; 0 for none. */
-static int32_t rate_of(struct v4l2_fract interval)
+static int ask_rates(listing *list, int handle, uint32_t i)
 {
-    if (interval.numerator == 0) {
-        return 0;
+    struct v4l2_frmivalenum answer;
+    memset(&answer, 0, sizeof answer);
+    answer.index = i;
+    answer.pixel_format = list->fourcc;
+    answer.width = (uint32_t)list->size.w;
+    answer.height = (uint32_t)list->size.h;
+    int error = video_ask(handle, VIDIOC_ENUM_FRAMEINTERVALS, &answer);
+    if (error != 0) {
+        return error;
     }
-    uint64_t rate = ((uint64_t)interval.denominator * 1000u + interval.numerator / 2) / interval.numerator;
-    return rate <= INT32_MAX ? (int32_t)rate : INT32_MAX;
+    list->is_whole = answer.type != V4L2_FRMIVAL_TYPE_DISCRETE;
+    if (has_room(list, i)) {
+        ((iris_camera_rates *)list->entries)[i] =
+            list->is_whole ? (iris_camera_rates){video_rate_millihz(answer.stepwise.max),
+                                                 video_rate_millihz(answer.stepwise.min)}
+                           : (iris_camera_rates){video_rate_millihz(answer.discrete),
+                                                 video_rate_millihz(answer.discrete)};
+    }
+    return 0;
 }
 
 iris_status iris_camera_list_rates(iris_camera_rates *rates, int32_t *count, const char *path,
                                    const char *fourcc, iris_size size, int32_t capacity)
 {
-    if (!count || !path || !fourcc || capacity < 0 || (capacity > 0 && !rates) ||
-        !video_fourcc_parse(fourcc)) {
+    listing list = {.entries = rates, .capacity = capacity, .size = size, .ask = ask_rates};
+    list.fourcc = fourcc ? video_fourcc_parse(fourcc) : 0;
+    if (!count || !path || !list.fourcc || capacity < 0 || (capacity > 0 && !rates)) {
         return IRIS_ERR_ARG;
     }
-    struct v4l2_capability capability;
-    uint32_t type;
-    int handle;
-    int error = video_open(&handle, &type, &capability, path);
-    *count = 0;
-    if (error != 0) {
-        return video_open_status(error);
-    }
-    for (uint32_t i = 0; i < ANSWERS_MAX; i++) {
-        struct v4l2_frmivalenum answer;
-        memset(&answer, 0, sizeof answer);
-        answer.index = i;
-        answer.pixel_format = video_fourcc_parse(fourcc);
-        answer.width = (uint32_t)size.w;
-        answer.height = (uint32_t)size.h;
-        error = video_ask(handle, VIDIOC_ENUM_FRAMEINTERVALS, &answer);
-        if (error != 0) {
-            break;
-        }
-        int single = answer.type == V4L2_FRMIVAL_TYPE_DISCRETE;
-        struct v4l2_fract longest = single ? answer.discrete : answer.stepwise.max;
-        struct v4l2_fract shortest = single ? answer.discrete : answer.stepwise.min;
-        if (*count < capacity) {
-            rates[*count] = (iris_camera_rates){rate_of(longest), rate_of(shortest)};
-        }
-        ++*count;
-        if (!single) {
-            break;
-        }
-    }
-    (void)close(handle);
-    return end_status(error, *count, capacity);
+    return read_list(count, path, &list);
 }

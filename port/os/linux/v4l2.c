@@ -217,11 +217,7 @@ static void set_rate(iris_v4l2 *device, int32_t rate_millihz)
             return;
         }
     }
-    if (interval->numerator > 0) {
-        uint64_t rate =
-            ((uint64_t)interval->denominator * 1000u + interval->numerator / 2) / interval->numerator;
-        device->grant.rate_millihz = rate <= INT32_MAX ? (int32_t)rate : INT32_MAX;
-    }
+    device->grant.rate_millihz = video_rate_millihz(*interval);
 }
 
 static iris_status negotiate(iris_v4l2 *device, const iris_capture_config *wanted)

@@ -167,3 +167,12 @@ const char *video_open_text(int error)
     return video_open_status(error) == IRIS_ERR_UNSUPPORTED ? "not a device that captures pictures"
                                                             : video_error_text(error);
 }
+
+int32_t video_rate_millihz(struct v4l2_fract interval)
+{
+    if (interval.numerator == 0) {
+        return 0;
+    }
+    uint64_t rate = ((uint64_t)interval.denominator * 1000u + interval.numerator / 2) / interval.numerator;
+    return rate <= INT32_MAX ? (int32_t)rate : INT32_MAX;
+}

@@ -44,4 +44,7 @@ const char *video_error_text(int error);
 const char *video_open_text(int error);
 iris_status video_open_status(int error);
 
+/* Frames in 1000 seconds of an interval between frames; 0 for none. */
+int32_t video_rate_millihz(struct v4l2_fract interval);
+
 #endif
