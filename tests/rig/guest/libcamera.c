@@ -373,9 +373,9 @@ static void a_borrowed_frame_survives_a_restart(void **state)
     assert_null(device.session);
 }
 
-static int count_descriptors(void)
+static int count_entries(const char *path)
 {
-    DIR *folder = opendir("/proc/self/fd");
+    DIR *folder = opendir(path);
     assert_non_null(folder);
     int count = 0;
     while (readdir(folder)) {
@@ -399,18 +399,6 @@ static int count_mappings(void)
     return count;
 }
 
-static int count_threads(void)
-{
-    DIR *folder = opendir("/proc/self/task");
-    assert_non_null(folder);
-    int count = 0;
-    while (readdir(folder)) {
-        count++;
-    }
-    closedir(folder);
-    return count;
-}
-
 static void nothing_stays_open(void **state)
 {
     (void)state;
@@ -431,13 +419,13 @@ static void nothing_stays_open(void **state)
         iris_capture_close(&camera);
         iris_capture_close(&camera);
         if (i == 0) { /* what libcamera keeps for the whole process is there now */
-            descriptors = count_descriptors();
+            descriptors = count_entries("/proc/self/fd");
             mappings = count_mappings();
-            threads = count_threads();
+            threads = count_entries("/proc/self/task");
         }
-        assert_int_equal(count_descriptors(), descriptors);
+        assert_int_equal(count_entries("/proc/self/fd"), descriptors);
         assert_int_equal(count_mappings(), mappings);
-        assert_int_equal(count_threads(), threads);
+        assert_int_equal(count_entries("/proc/self/task"), threads);
     }
 }
 
