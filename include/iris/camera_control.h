@@ -4,8 +4,8 @@
  *
  *     iris_camera_controls controls;
  *     if (iris_camera_controls_open(&controls, "/dev/video0") == IRIS_OK) {
- *         iris_camera_control_set(&controls, "exposure-auto", 1);   one of the menu's choices: manual
- *         iris_camera_control_set(&controls, "exposure", 80);       units of 100 us on most cameras
+ *         iris_camera_control_choose(&controls, "exposure-auto", "manual");   of the menu's choices
+ *         iris_camera_control_set(&controls, "exposure", 80);                 units of 100 us on most cameras
  *         iris_camera_controls_close(&controls);
  *     }
  *
@@ -98,6 +98,12 @@ iris_status iris_camera_control_get(iris_camera_control *control, iris_camera_co
  * IRIS_ERR_RANGE: value outside minimum..maximum, or not among a menu's choices; IRIS_ERR_IO: the camera does not answer,
  * or refuses it now. */
 iris_status iris_camera_control_set(iris_camera_controls *controls, const char *name, int64_t value);
+
+/* Sets the menu of that name to the choice of that name, or to the only one whose name begins so, up to a dash: "manual" for
+ * "manual-mode", which is what webcams call it.
+ * IRIS_ERR_ARG: null pointer or not open; IRIS_ERR_RANGE: no menu, no such choice, or several that begin so: the problem
+ * lists them; IRIS_ERR_UNSUPPORTED, IRIS_ERR_IO: as iris_camera_control_set. */
+iris_status iris_camera_control_choose(iris_camera_controls *controls, const char *name, const char *word);
 
 /* The choices of a menu: values and names, by value; none for another kind. *count and IRIS_ERR_FULL as above.
  * IRIS_ERR_ARG: null pointer, negative capacity, or not open; IRIS_ERR_UNSUPPORTED: no such control; IRIS_ERR_IO. */

@@ -20,17 +20,25 @@ static int32_t last_set;
 static const struct {
     uint32_t id;
     const char *name;
+    enum v4l2_ctrl_type type;
 } has[] = {
-    {V4L2_CID_BRIGHTNESS, "Brightness"},
-    {V4L2_CID_EXPOSURE, "Exposure"},
-    {V4L2_CID_EXPOSURE_ABSOLUTE, "Exposure (Absolute)"},
-    {V4L2_CID_PRIVATE_BASE, "LED1  Mode!"},
-    {V4L2_CID_PRIVATE_BASE + 1, "led1 mode"},
-    {V4L2_CID_PRIVATE_BASE + 2, "LED1 MODE"},
-    {V4L2_CID_PRIVATE_BASE + 3, "\x01\xff!"},
-    {V4L2_CID_PRIVATE_BASE + 4, "A name without an end, 32 bytes."},
+    {V4L2_CID_BRIGHTNESS, "Brightness", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_EXPOSURE, "Exposure", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_EXPOSURE_ABSOLUTE, "Exposure (Absolute)", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_PRIVATE_BASE, "LED1  Mode!", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_PRIVATE_BASE + 1, "led1 mode", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_PRIVATE_BASE + 2, "LED1 MODE", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_PRIVATE_BASE + 3, "\x01\xff!", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_PRIVATE_BASE + 4, "A name without an end, 32 bytes.", V4L2_CTRL_TYPE_INTEGER},
+    {V4L2_CID_EXPOSURE_AUTO, "Auto Exposure", V4L2_CTRL_TYPE_MENU},
+    {V4L2_CID_PRIVATE_BASE + 5, "Lamp", V4L2_CTRL_TYPE_MENU},
+    {V4L2_CID_PRIVATE_BASE + 6, "Integers", V4L2_CTRL_TYPE_INTEGER_MENU},
 };
 enum { HAS = sizeof has / sizeof has[0] };
+
+/* What menus offer; of exposure's there is no choice 0. */
+static const char *const exposures[] = {"", "Manual Mode", "Shutter Priority Mode", "Aperture Priority Mode"};
+static const char *const lamps[] = {"Slow Glow", "Slow Blink", "On", "On Demand"};
 
 static int refuse(int with)
 {
@@ -53,11 +61,25 @@ static int query(struct v4l2_query_ext_ctrl *control)
         best = 1;
     }
     control->id = has[best - 1].id;
-    control->type = V4L2_CTRL_TYPE_INTEGER;
+    control->type = has[best - 1].type;
     memcpy(control->name, has[best - 1].name, strnlen(has[best - 1].name, sizeof control->name));
     control->minimum = -5;
     control->maximum = 5;
     control->step = stuck ? UINT64_MAX : 0;
+    return 0;
+}
+
+static int query_menu(struct v4l2_querymenu *item)
+{
+    static const int64_t integers[] = {1, 2, 3, 42};
+    if (item->index > 3 || (item->id == V4L2_CID_EXPOSURE_AUTO && item->index == 0)) {
+        return refuse(EINVAL);
+    }
+    if (item->id == V4L2_CID_PRIVATE_BASE + 6) {
+        item->value = integers[item->index];
+    } else {
+        strcpy((char *)item->name, (item->id == V4L2_CID_EXPOSURE_AUTO ? exposures : lamps)[item->index]);
+    }
     return 0;
 }
 
@@ -85,6 +107,8 @@ static int answer(unsigned long request, void *argument)
         return 0;
     case VIDIOC_QUERY_EXT_CTRL:
         return query(argument);
+    case VIDIOC_QUERYMENU:
+        return query_menu(argument);
     case VIDIOC_G_EXT_CTRLS:
         ((struct v4l2_ext_controls *)argument)->controls->value = 3;
         return 0;
@@ -194,7 +218,10 @@ static void every_control_has_a_name_of_its_own(void **state)
                                            "led1-mode-3",
                                            "unnamed",
                                            "a-name-without-an-end-32-bytes",
-                                           "exposure-2"};
+                                           "exposure-2",
+                                           "exposure-auto",
+                                           "lamp",
+                                           "integers"};
     iris_camera_controls controls;
     iris_camera_control list[HAS + 1], one;
     int32_t count;
@@ -254,14 +281,57 @@ static void what_the_driver_says_to_a_value_is_told(void **state)
     iris_camera_controls_close(&controls);
 }
 
+static void a_choice_is_taken_by_its_first_words(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *menu, *word;
+        iris_status status;
+        int32_t value;
+    } calls[] = {{"exposure-auto", "manual", IRIS_OK, 1},
+                 {"exposure-auto", "manual-mode", IRIS_OK, 1},
+                 {"exposure-auto", "aperture-priority", IRIS_OK, 3},
+                 {"exposure-auto", "man", IRIS_ERR_RANGE, 0},
+                 {"exposure-auto", "manual-mode-2", IRIS_ERR_RANGE, 0},
+                 {"exposure-auto", "mode", IRIS_ERR_RANGE, 0},
+                 {"exposure-auto", "", IRIS_ERR_RANGE, 0},
+                 {"lamp", "slow", IRIS_ERR_RANGE, 0}, /* two begin so */
+                 {"lamp", "slow-glow", IRIS_OK, 0},
+                 {"lamp", "on", IRIS_OK, 2}, /* its whole name */
+                 {"integers", "2", IRIS_OK, 1},
+                 {"integers", "42", IRIS_OK, 3},
+                 {"integers", "4", IRIS_ERR_RANGE, 0},
+                 {"integers", "0", IRIS_ERR_RANGE, 0},
+                 {"exposure", "manual", IRIS_ERR_RANGE, 0},
+                 {"warp", "manual", IRIS_ERR_UNSUPPORTED, 0}};
+    iris_camera_controls controls;
+    assert_int_equal(iris_camera_controls_open(&controls, "/dev/video7"), IRIS_OK);
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
+        last_set = -1;
+        assert_int_equal(iris_camera_control_choose(&controls, calls[i].menu, calls[i].word),
+                         calls[i].status);
+        assert_int_equal(last_set, calls[i].status == IRIS_OK ? calls[i].value : -1);
+    }
+    assert_int_equal(iris_camera_control_choose(&controls, "exposure-auto", "off"), IRIS_ERR_RANGE);
+    assert_string_equal(iris_camera_controls_problem(&controls),
+                        "no single choice is called that; there are manual-mode shutter-priority-mode "
+                        "aperture-priority-mode");
+    assert_int_equal(iris_camera_control_choose(&controls, NULL, "off"), IRIS_ERR_ARG);
+    assert_int_equal(iris_camera_control_choose(&controls, "lamp", NULL), IRIS_ERR_ARG);
+    assert_int_equal(iris_camera_control_choose(NULL, "lamp", "on"), IRIS_ERR_ARG);
+    failing = VIDIOC_QUERYMENU;
+    error = EIO;
+    assert_int_equal(iris_camera_control_choose(&controls, "lamp", "on"), IRIS_ERR_IO);
+    iris_camera_controls_close(&controls);
+}
+
 int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, fresh, nothing_open)
     const struct CMUnitTest tests[] = {
-        CASE(a_camera_without_permission_is_listed),
-        CASE(lists_without_an_end_are_cut),
-        CASE(every_control_has_a_name_of_its_own),
-        CASE(what_the_driver_says_to_a_value_is_told),
+        CASE(a_camera_without_permission_is_listed), CASE(lists_without_an_end_are_cut),
+        CASE(every_control_has_a_name_of_its_own),   CASE(what_the_driver_says_to_a_value_is_told),
+        CASE(a_choice_is_taken_by_its_first_words),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

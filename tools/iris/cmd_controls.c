@@ -8,7 +8,8 @@
 static const char help[] =
     "usage: iris controls --device D [--json] [NAME=VALUE...]\n\n"
     "Lists what a camera lets be set, or sets it, in the order given, and says what the camera made of it.\n"
-    "Settings stay until the camera is unplugged. VALUE is a number, a choice of a menu, or on or off.\n"
+    "Settings stay until the camera is unplugged. VALUE is a number, on or off, or a choice of\n"
+    "a menu, whose first words will do: manual for manual-mode.\n"
     "What another control rules is inactive: set that one first, such as exposure-auto before exposure.\n\n"
     "  --device D  such as /dev/video0\n"
     "  --json      one JSON object per control\n\n"

@@ -400,6 +400,40 @@ iris_status iris_camera_control_set(iris_camera_controls *controls, const char *
     return error ? fail(controls, IRIS_ERR_IO, "the control cannot be set", error) : IRIS_OK;
 }
 
+static void read_choice(iris_camera_choice *choice, const struct v4l2_query_ext_ctrl *query,
+                        const struct v4l2_querymenu *item, int64_t value)
+{
+    memset(choice, 0, sizeof *choice);
+    choice->value = value;
+    if (query->type == V4L2_CTRL_TYPE_INTEGER_MENU) {
+        problem_text text = problem_text_in(choice->name, sizeof choice->name);
+        problem_text_add_number(&text, item->value);
+    } else {
+        char label[33];
+        problem_text_copy(label, sizeof label, item->name, sizeof item->name);
+        put_dashes(choice->name, label);
+    }
+}
+
+/* The choice of this value, or of the next one that the camera has; *value is the one after it then. 0, or errno, EINVAL
+ * behind the last. */
+static int next_choice(iris_camera_choice *choice, int handle, const struct v4l2_query_ext_ctrl *query,
+                       int64_t *value)
+{
+    while (*value <= query->maximum && *value - query->minimum < CHOICES_MAX) {
+        struct v4l2_querymenu item;
+        int error = query_choice(&item, handle, query->id, *value);
+        if (error == 0) {
+            read_choice(choice, query, &item, *value);
+        }
+        ++*value;
+        if (error != EINVAL) {
+            return error;
+        }
+    }
+    return EINVAL;
+}
+
 iris_status iris_camera_control_choices(iris_camera_choice *choices, int32_t *count,
                                         iris_camera_controls *controls, const char *name, int32_t capacity)
 {
@@ -407,35 +441,62 @@ iris_status iris_camera_control_choices(iris_camera_choice *choices, int32_t *co
         return IRIS_ERR_ARG;
     }
     struct v4l2_query_ext_ctrl query;
+    iris_camera_choice choice;
+    int error;
     *count = 0;
     iris_status status = find(&query, controls, name);
     if (status != IRIS_OK || kind_of(query.type) != IRIS_CONTROL_MENU) {
         return status;
     }
-    for (int64_t value = query.minimum; value <= query.maximum && value - query.minimum < CHOICES_MAX;
-         value++) {
-        struct v4l2_querymenu item;
-        int error = query_choice(&item, controls->handle, query.id, value);
-        if (error == EINVAL) {
-            continue; /* a choice that this camera does not have */
-        }
-        if (error != 0) {
-            return fail(controls, IRIS_ERR_IO, "the camera does not list its choices", error);
-        }
+    int64_t value = query.minimum;
+    while ((error = next_choice(&choice, controls->handle, &query, &value)) == 0) {
         if (*count < capacity) {
-            iris_camera_choice *choice = &choices[*count];
-            memset(choice, 0, sizeof *choice);
-            choice->value = value;
-            if (query.type == V4L2_CTRL_TYPE_INTEGER_MENU) {
-                problem_text text = problem_text_in(choice->name, sizeof choice->name);
-                problem_text_add_number(&text, item.value);
-            } else {
-                char label[33];
-                problem_text_copy(label, sizeof label, item.name, sizeof item.name);
-                put_dashes(choice->name, label);
-            }
+            choices[*count] = choice;
         }
         ++*count;
     }
+    if (error != EINVAL) {
+        return fail(controls, IRIS_ERR_IO, "the camera does not list its choices", error);
+    }
     return *count > capacity ? IRIS_ERR_FULL : IRIS_OK;
+}
+
+/* Is word how this name begins, up to a dash? *whole: it is all of it. */
+static int begins_with(int *whole, const char *name, const char *word)
+{
+    size_t length = strlen(word);
+    *whole = strcmp(name, word) == 0;
+    return length > 0 && strncmp(name, word, length) == 0 && (name[length] == '-' || *whole);
+}
+
+iris_status iris_camera_control_choose(iris_camera_controls *controls, const char *name, const char *word)
+{
+    if (!controls || controls->handle < 0 || !name || !word) {
+        return IRIS_ERR_ARG;
+    }
+    struct v4l2_query_ext_ctrl query;
+    iris_camera_choice choice;
+    iris_status status = find(&query, controls, name);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (kind_of(query.type) != IRIS_CONTROL_MENU) {
+        return fail(controls, IRIS_ERR_RANGE, "the control is not a menu", 0);
+    }
+    problem_text text = problem_text_in(controls->problem, sizeof controls->problem);
+    problem_text_add(&text, "no single choice is called that; there are");
+    int64_t value = query.minimum, found = 0;
+    int found_count = 0, whole = 0, error;
+    while (!whole && (error = next_choice(&choice, controls->handle, &query, &value)) == 0) {
+        problem_text_add(&text, " ");
+        problem_text_add(&text, choice.name);
+        if (begins_with(&whole, choice.name, word)) {
+            found = choice.value;
+            found_count = whole ? 1 : found_count + 1;
+        }
+    }
+    if (!whole && error != EINVAL) {
+        return fail(controls, IRIS_ERR_IO, "the camera does not list its choices", error);
+    }
+    return found_count == 1 ? iris_camera_control_set(controls, name, found) : IRIS_ERR_RANGE;
 }

@@ -36,6 +36,14 @@ refuses "a control that it has not" 1 '^iris controls: warp: ' --device "$camera
 refuses "a word for a number" 2 '^iris controls: brightness: a whole number, not ' --device "$camera" brightness=light
 works "a menu by the name of a choice" --device "$camera" "test-pattern=$(
     "$iris" controls --json --device "$camera" | sed -n '/"name":"test-pattern"/s/.*"choices":\[{"value":0,"name":"\([^"]*\)".*/\1/p')"
+works "a choice that is a number, and a decimal one" --device "$camera" integer-menu=8 brightness=010 brightness=0x10
+[ "$(tr -s ' ' < out | cut -d ' ' -f 1,2 | tr '\n' ' ')" = "integer-menu 8 brightness 10 brightness 16 " ]
+say $? "a choice that is a number, and a decimal one: as they were meant"
+works "the last number of a menu" --device "$camera" integer-menu=42
+refuses "a number that the menu has not" 2 '^iris controls: integer-menu: no single choice .* 42' --device "$camera" integer-menu=1
+works "a choice by its first words" --device "$camera" test-pattern=75
+grep -Eq '^test-pattern +75-colorbar ' out; say $? "a choice by its first words: that one"
+refuses "words with which several begin" 2 '^iris controls: menu: no single choice ' --device "$camera" menu=menu-item
 works "the former values" --device "$camera" brightness=128 gain-auto=on
 
 # --- iris capture ---

@@ -1,4 +1,5 @@
 /* iris controls: what a camera lets be set. */
+#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -169,50 +170,75 @@ int camera_tables_controls(const char *device, int json)
     return exit_code;
 }
 
+/* A decimal number, or a hexadecimal one that begins with 0x. */
+static int read_whole(int64_t *value, const char *text)
+{
+    char *end;
+    int is_hex = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    errno = 0;
+    *value = strtoll(text, &end, is_hex ? 16 : 10);
+    return end != text && *end == '\0' && errno == 0;
+}
+
 /* Reads a value as its kind wants it. Returns 0 after complaining. */
 static int read_value(int64_t *value, const iris_camera_control *control, const char *text)
 {
-    char *end;
-    *value = strtoll(text, &end, 0);
-    if (*end == '\0') {
-        return 1;
-    }
-    int32_t count = choices_of(control);
-    for (int32_t i = 0; i < count; i++) {
-        if (strcmp(choices[i].name, text) == 0) {
-            *value = choices[i].value;
-            return 1;
-        }
-    }
-    if (control->kind == IRIS_CONTROL_SWITCH && (strcmp(text, "on") == 0 || strcmp(text, "off") == 0)) {
+    int is_switch = control->kind == IRIS_CONTROL_SWITCH;
+    if (is_switch && (strcmp(text, "on") == 0 || strcmp(text, "off") == 0)) {
         *value = text[1] == 'n';
         return 1;
     }
-    complain(control->name,
-             control->kind == IRIS_CONTROL_MENU ? "one of the menu's choices, not '%s' (see iris controls)"
-             : control->kind == IRIS_CONTROL_SWITCH ? "on or off, not '%s'"
-                                                    : "a whole number, not '%s'",
-             text);
+    if (read_whole(value, text)) {
+        return 1;
+    }
+    complain(control->name, is_switch ? "on or off, not '%s'" : "a whole number, not '%s'", text);
     return 0;
+}
+
+/* May a number be the value of a choice? Not where choices are called by numbers. */
+static int is_value(int64_t *value, const iris_camera_control *menu, const char *text)
+{
+    int32_t count = choices_of(menu);
+    int named_by_words = 1;
+    for (int32_t i = 0; i < count; i++) {
+        named_by_words &= !read_whole(value, choices[i].name);
+    }
+    return named_by_words && read_whole(value, text);
+}
+
+/* Complains where the text is no value; the status is IRIS_ERR_RANGE then, and *said is 1. */
+static iris_status set_value(int *said, const iris_camera_control *control, const char *text)
+{
+    int64_t value;
+    *said = 0;
+    if (control->kind == IRIS_CONTROL_MENU) {
+        iris_status status = iris_camera_control_choose(&controls, control->name, text);
+        if (status != IRIS_ERR_RANGE || !is_value(&value, control, text)) {
+            return status;
+        }
+    } else if (!read_value(&value, control, text)) {
+        *said = 1;
+        return IRIS_ERR_RANGE;
+    }
+    return iris_camera_control_set(&controls, control->name, value);
 }
 
 /* Returns an exit code after complaining. */
 static int set(const char *name, const char *text, int json)
 {
     iris_camera_control control;
-    int64_t value;
+    int said = 0;
     iris_status status = iris_camera_control_get(&control, &controls, name);
     if (status == IRIS_OK) {
-        if (!read_value(&value, &control, text)) {
-            return EXIT_BAD_CALL;
-        }
-        status = iris_camera_control_set(&controls, name, value);
+        status = set_value(&said, &control, text);
     }
     if (status == IRIS_OK) {
         status = iris_camera_control_get(&control, &controls, name);
     }
     if (status != IRIS_OK) {
-        complain(name, "%s", iris_camera_controls_problem(&controls));
+        if (!said) {
+            complain(name, "%s", iris_camera_controls_problem(&controls));
+        }
         return status == IRIS_ERR_RANGE ? EXIT_BAD_CALL : EXIT_BAD_DATA;
     }
     json ? json_control(&control) : print_control(&control);
