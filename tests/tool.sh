@@ -34,7 +34,7 @@ for command in $("$iris" --help | sed -n 's/^  \([a-z]*\)   *[a-z].*/\1/p'); do
     works "help $command" help "$command"
     cmp -s first out; say $? "help $command is the same"
     refuses "$command refuses an unknown option" 2 "^iris $command: .*--wrong" "$command" --wrong gray.pgm
-    refuses "$command needs an input" 2 "^iris $command: " "$command"
+    [ "$command" = cameras ] || refuses "$command needs an input" 2 "^iris $command: " "$command"
 done
 run; [ $code -eq 2 ] && [ -s err ] && [ ! -s out ]; say $? "no command is a wrong call"
 refuses "an unknown command" 2 "^iris: frobnicate: " frobnicate

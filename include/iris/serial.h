@@ -42,7 +42,8 @@ typedef struct {
     char next[IRIS_SERIAL_SENTENCE_MAX];
 } iris_serial;
 
-/* Opens the port at `path` (kept, not copied: it must outlive *serial) and claims it for this program.
+/* Opens the port at `path` (kept, not copied: it must outlive *serial) and claims it for this program: no
+ * other that opens it so gets it, root's neither.
  *   baud          1200, 1800, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000, 576000, 921600,
  *                 1000000, 1152000, 1500000, 2000000, 2500000, 3000000, 3500000, or 4000000
  *   reconnect_ms  the least time between two attempts to open a lost port, 0..60000

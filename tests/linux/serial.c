@@ -402,6 +402,28 @@ static void the_newest_waits(void **state)
     close(master);
 }
 
+/* Also by root, whom the terminal itself lets in. */
+static void a_port_has_one_user(void **state)
+{
+    (void)state;
+    char path[64];
+    int master = open_master(path, sizeof path);
+    struct termios now;
+    iris_serial first, second;
+    assert_int_equal(iris_serial_open(&first, path, 9600, 0, 0), IRIS_OK);
+    assert_int_equal(iris_serial_open(&second, path, 115200, 0, 0), IRIS_ERR_IO);
+    assert_string_equal(iris_serial_error(&second), "another program has the port");
+    assert_int_equal(tcgetattr(first.handle, &now), 0);
+    assert_int_equal(cfgetospeed(&now), B9600);
+    iris_serial_close(&second);
+    int copy = dup(first.handle);
+    iris_serial_close(&first);
+    assert_int_equal(iris_serial_open(&second, path, 9600, 0, 0), IRIS_OK);
+    iris_serial_close(&second);
+    close(copy);
+    close(master);
+}
+
 /* The cable is pulled, in the middle of a sentence too; another device appears under the same name. */
 static void a_lost_port_comes_back(void **state)
 {
@@ -510,6 +532,7 @@ int main(void)
         cmocka_unit_test_teardown(a_blocked_port_keeps_the_newest, heal),
         cmocka_unit_test_teardown(short_writes_are_continued, heal),
         cmocka_unit_test_teardown(the_newest_waits, heal),
+        cmocka_unit_test_teardown(a_port_has_one_user, heal),
         cmocka_unit_test_teardown(a_lost_port_comes_back, heal),
         cmocka_unit_test_teardown(a_failure_at_every_step_is_survived, heal),
     };

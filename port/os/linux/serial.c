@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -64,7 +65,9 @@ static iris_status try_open(iris_serial *serial, uint32_t now_ms)
         serial->error = errno;
         return IRIS_ERR_IO;
     }
-    int error = configure(handle, speed_of(serial->baud));
+    /* TIOCEXCL does not keep root out; a lock does, before the port is set to another speed. */
+    int error = flock(handle, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK ? EBUSY : 0;
+    error = error == 0 ? configure(handle, speed_of(serial->baud)) : error;
     error = error == EIO ? ENXIO : error; /* a node that no hardware stands behind opens, too */
     if (error != 0) {
         serial->error = error;
@@ -96,6 +99,7 @@ static void release(iris_serial *serial)
     serial->length = 0;
     serial->waiting = 0;
     (void)ioctl(serial->handle, TIOCNXCL);
+    (void)flock(serial->handle, LOCK_UN); /* also where a child has a copy of it */
     (void)close(serial->handle);
     serial->handle = -1;
 }
