@@ -30,10 +30,12 @@ say $? "its figures"
 cp d.pgm wanted
 works "semi-global" left.pgm right.pgm --method semiglobal --max-disparity 8 -o s.pgm
 [ "$(wc -c < s.pgm)" -eq 1615 ] && ! cmp -s s.pgm d.pgm; say $? "another method"
+works "a quadtree" left.pgm right.pgm --method quadtree --max-disparity 8 -o q.pgm
+[ "$(wc -c < q.pgm)" -eq 1615 ] && ! cmp -s q.pgm d.pgm; say $? "a third method"
 works "-o -" left.pgm right.pgm --method block --max-disparity 8 -o -
 cmp -s out wanted; say $? "disparities on standard output alone"
 works "--help" --help
-grep -q -- '--method block|semiglobal' out; say $? "its methods"
+grep -q -- '--method block|quadtree|semiglobal' out; say $? "its methods"
 
 refuses "one picture" 2 'LEFT RIGHT' left.pgm
 refuses "three pictures" 2 'LEFT RIGHT' left.pgm right.pgm left.pgm

@@ -47,6 +47,11 @@ static uint16_t refine(const uint16_t *costs, int32_t n, int32_t best)
     return (uint16_t)(value > 0 ? value : 1);
 }
 
+uint16_t iris_stereo_best(const uint16_t *costs, int32_t n)
+{
+    return refine(costs, n, least_of(costs, n));
+}
+
 static void see_from_right(const iris_stereo_pick *p, const uint16_t *costs, int32_t n, int32_t x)
 {
     for (int32_t d = 0; d < n; d++) {

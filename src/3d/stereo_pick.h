@@ -18,4 +18,7 @@ iris_status iris_stereo_pick_begin(iris_stereo_pick *p, const iris_stereo_config
 /* A row of disparities of w times max_disparity + 1 costs; those of disparity d at x < d are not looked at. */
 void iris_stereo_pick_row(uint16_t *disparity, const iris_stereo_pick *p, const uint16_t *costs);
 
+/* The disparity of the least of n >= 1 costs, with its fraction. */
+uint16_t iris_stereo_best(const uint16_t *costs, int32_t n);
+
 #endif

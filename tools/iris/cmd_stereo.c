@@ -14,13 +14,14 @@
 #include "system.h"
 
 static const char help[] =
-    "usage: iris stereo LEFT RIGHT [--method block|semiglobal] [--max-disparity N]\n"
-    "                   [-o DISPARITY] [--preview PICTURE] [--json]\n\n"
+    "usage: iris stereo LEFT RIGHT [--method block|quadtree|semiglobal]\n"
+    "                   [--max-disparity N] [-o DISPARITY] [--preview PICTURE] [--json]\n\n"
     "How far things are, from the rectified pictures of two cameras side by side: by how many pixels\n"
     "each place of the left picture lies further to the left in the right one. Color becomes gray.\n\n"
-    "  --method block|semiglobal\n"
-    "                       block: fixed windows of 13x13 pixels; semiglobal (the default): smooth\n"
-    "                       surfaces with sharp edges, in about twice the time\n"
+    "  --method block|quadtree|semiglobal\n"
+    "                       block: fixed windows of 13x13 pixels; quadtree: windows as large as the\n"
+    "                       picture is even, in an eighth of the time; semiglobal (the default):\n"
+    "                       smooth surfaces with sharp edges, in about twice the time\n"
     "  --max-disparity N    of the nearest things, in pixels, 1 to 255 (default 63)\n"
     "  -o DISPARITY         a PGM of 16 bits: 256 for a pixel, 0 where there is no match; -: to standard\n"
     "                       output, and nothing else\n"
@@ -78,10 +79,25 @@ static iris_status semiglobal(const iris_image *disparity, const iris_image *lef
     return iris_stereo_semiglobal(disparity, left, right, &config, scratch);
 }
 
+static size_t quadtree_bytes(iris_size size, int32_t max_disparity)
+{
+    return IRIS_STEREO_QUADTREE_SCRATCH_BYTES(size.w, size.h, max_disparity);
+}
+
+static iris_status quadtree(const iris_image *disparity, const iris_image *left, const iris_image *right,
+                            int32_t max_disparity, iris_scratch *scratch)
+{
+    iris_stereo_quadtree_config config;
+    iris_stereo_quadtree_defaults(&config);
+    config.max_disparity = max_disparity;
+    return iris_stereo_quadtree(disparity, left, right, &config, scratch);
+}
+
 static const stereo_method methods[] = {{"block", block_bytes, block},
+                                        {"quadtree", quadtree_bytes, quadtree},
                                         {"semiglobal", semiglobal_bytes, semiglobal}};
 #define METHODS      (sizeof methods / sizeof methods[0])
-#define METHOD_NAMES "block or semiglobal"
+#define METHOD_NAMES "block, quadtree, or semiglobal"
 
 static const stereo_method *method_of(const char *name)
 {
