@@ -41,6 +41,8 @@ refuses "an unknown command" 2 "^iris: frobnicate: " frobnicate
 refuses "help for an unknown command" 2 "^iris: frobnicate: " help frobnicate
 refuses "an unknown letter" 2 "^iris gray: .*-x" gray -x gray.pgm
 refuses "an option without its value" 2 "^iris gray: .*--method" gray gray.pgm --method
+refuses "an option with two values" 2 "^iris gray: option --method is given twice\$" gray gray.pgm --method red --method=green
+refuses "an option with two values, one by its letter" 2 "^iris gray: option --output is given twice\$" gray gray.pgm -o a --output a
 refuses "a flag with a value" 2 "^iris info: .*--json" info --json=yes gray.pgm
 refuses "no output on a terminal or beside --json" 2 "^iris gray: " gray --json gray.pgm
 works "--name=value, -oFILE, and options behind operands" gray color.ppm --method=green -ofirst.pgm

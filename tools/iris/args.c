@@ -28,8 +28,8 @@ static const args_option *find_letter(const arguments *args, char letter)
 }
 
 /* Takes one option that begins at word; *next is the word behind it, null at the end. *next is used up by being
- * made null. Returns 0 after complaining. */
-static int take_option(const arguments *args, const char *word, const char **next)
+ * made null. *given has a bit for each option that had its value already. Returns 0 after complaining. */
+static int take_option(uint64_t *given, const arguments *args, const char *word, const char **next)
 {
     int is_long = word[1] == '-';
     const char *equals = is_long ? strchr(word, '=') : NULL;
@@ -56,6 +56,12 @@ static int take_option(const arguments *args, const char *word, const char **nex
         complain(NULL, "option %.*s needs a value", (int)length, word);
         return 0;
     }
+    const uint64_t bit = UINT64_C(1) << (option - args->options);
+    if (*given & bit) { /* the first would be lost */
+        complain(NULL, "option %.*s is given twice", (int)length, word);
+        return 0;
+    }
+    *given |= bit;
     *option->value = value;
     return 1;
 }
@@ -76,6 +82,7 @@ static int take_operand(arguments *args, char *word)
 int args_parse(arguments *args, int argc, char **argv)
 {
     int options_ended = 0;
+    uint64_t given = 0;
     args->operands = argv;
     args->operand_count = 0;
     for (int i = 1; i < argc; i++) {
@@ -92,7 +99,7 @@ int args_parse(arguments *args, int argc, char **argv)
         } else {
             int has_next = i + 1 < argc;
             const char *next = has_next ? argv[i + 1] : NULL;
-            if (!take_option(args, word, &next)) {
+            if (!take_option(&given, args, word, &next)) {
                 return EXIT_BAD_CALL;
             }
             i += has_next && !next;

@@ -1,7 +1,7 @@
 /* The command line of one command: options and operands in any order.
  *
  * --name, --name=value, --name value, and single letters (-o value, -ovalue). "--" ends the options, "-" is an operand
- * (standard input; once). --help prints the command's help.
+ * (standard input; once). Options with a value are given once. --help prints the command's help.
  */
 #ifndef IRIS_TOOL_ARGS_H
 #define IRIS_TOOL_ARGS_H
@@ -18,14 +18,14 @@ typedef struct {
     const char *name;   /* without dashes */
     char letter;        /* the short form; 0: none */
     int *flag;          /* becomes 1 when given; null for an option with a value */
-    const char **value; /* becomes the value, the last one when given twice; null for a flag */
+    const char **value; /* becomes the value, which is given once; null for a flag */
 } args_option;
 
 typedef struct {
     const char *help; /* what --help prints */
     const args_option *options;
-    size_t option_count;
-    char **operands; /* what is no option, in order: the front of argv, which is reordered */
+    size_t option_count; /* at most 64 */
+    char **operands;     /* what is no option, in order: the front of argv, which is reordered */
     int operand_count;
 } arguments;
 
