@@ -75,12 +75,25 @@ for option in "--size 64x48" "--format gray" "--frames 3" --timing; do
 done
 echo text > frames/f3a.pgm
 run --json --camera frames
-[ $code -eq 0 ] && [ "$(wc -l < out)" -eq 10 ] && grep -q '^iris follow: frames: 10 frames, 0 dropped, 0 skipped, 1 damaged,' err
-say $? "a bad picture is counted, and the others go on"
+[ $code -eq 1 ] && [ "$(wc -l < out)" -eq 10 ] && grep -q '^iris follow: frames: 10 frames, 0 dropped, 0 skipped, 1 damaged,' err
+say $? "a bad picture is counted, the others go on, and it shows in the end"
+first_argument=capture
+run --device frames -o damaged
+[ $code -eq 1 ] && [ "$(ls damaged | wc -l)" -eq 10 ] && grep -q ' 10 frames, 0 dropped, 0 skipped, 1 damaged,' out &&
+    grep -q '^iris capture: frames: 1 frames damaged; f3a.pgm: neither BMP nor PGM/PPM$' err
+say $? "capture, too, ends badly with a bad picture"
+first_argument=follow
 rm frames/f3a.pgm
 { cat all.pgm; echo garbage; } | timeout 10 "$iris" follow --json --camera - > out 2> err
 [ $? -eq 1 ] && [ "$(wc -l < out)" -eq 10 ] && grep -q '^iris follow: -: neither BMP nor PGM/PPM$' err
 say $? "garbage behind the pictures"
+
+few=150000 # KiB
+(ulimit -v $few && "$iris" follow --json --camera frames > out 2> err)
+[ $? -eq 0 ] && [ ! -s err ] && answers out | cmp -s - wanted; say $? "with little memory"
+printf 'P6 8192 8192 255\n' > large.ppm
+(ulimit -v $few && "$iris" follow --camera large.ppm > out 2> err)
+[ $? -eq 1 ] && grep -q '^iris follow: large.ppm: out of memory$' err; say $? "with too little memory"
 
 # --- iris capture ---
 first_argument=capture
@@ -112,7 +125,11 @@ refuses "a timeout that is none" 2 '^iris capture: --timeout: ' --device frames 
 refuses "one picture for all frames" 2 '^iris capture: -o: a folder ' --device frames -o one.bmp
 : > plain
 refuses "an output that is a file" 1 "^iris capture: plain: " --device frames -o plain
-refuses "capture of nothing" 1 '^iris capture: empty: no .bmp, ' --device empty -o seen
+refuses "capture of nothing" 1 '^iris capture: empty: no .bmp, ' --device empty -o none
+[ ! -e none ]; say $? "capture of nothing: no folder"
+mkdir -p seen/taken/frame_000003.bmp
+run --device frames -o seen/taken
+[ $code -eq 1 ] && grep -q '^frames  64x48 gray  2 frames, ' out; say $? "capture counts what it has written"
 mkfifo silent
 exec 4<> silent
 cat all.pgm >&4

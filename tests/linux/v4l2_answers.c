@@ -115,6 +115,8 @@ static void a_camera_without_a_readable_format_is_refused_by_name(void **state)
     says("offers MJPG YUYV; wanted is RGB3");
     assert_int_equal(open_with(&(iris_capture_config){.format = IRIS_CAPTURE_NV12}), IRIS_ERR_FORMAT);
     says("wanted is NV12 NM12");
+    assert_int_equal(open_with(&(iris_capture_config){.format = IRIS_RGBA8888}), IRIS_ERR_FORMAT);
+    says("no camera of the kernel gives the one that is wanted");
     assert_int_equal(open_with(&(iris_capture_config){.format = IRIS_HSL48}), IRIS_ERR_FORMAT);
     fake.pix.pixelformat = V4L2_PIX_FMT_MJPEG; /* the driver takes another than it said */
     refused(IRIS_ERR_FORMAT, "offers MJPG YUYV");

@@ -43,6 +43,9 @@ const iris_capture *camera_capture(void);
 /* A recording: its frames have their times by their numbers. */
 int camera_is_recording(void);
 
+/* Has the recording had frames that could not be read? Also after closing. Of a camera it is nothing unusual. */
+int camera_recording_is_damaged(void);
+
 /* Why camera_next failed last. */
 const char *camera_problem(void);
 

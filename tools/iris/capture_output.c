@@ -16,6 +16,9 @@
 /* A frame's colors, where a file does not hold it as it is. */
 static picture_buffer colors;
 
+/* Frames that were written. */
+static uint64_t frames_written;
+
 static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
 {
     size_t written = fwrite(data, 1, bytes, user);
@@ -79,6 +82,7 @@ int capture_output_write(const capture_output *output, const iris_frame *frame)
         }
         done = to_stdout ? file_write(path, write_pnm, &view) : picture_write(path, &view);
     }
+    frames_written += (uint64_t)done;
     if (done && output->json) {
         report(frame, path);
     }
@@ -119,7 +123,7 @@ void capture_output_end(const capture_output *output, const char *device, const 
     const struct {
         const char *name;
         uint64_t count;
-    } counters[] = {{"frames", capture->frames},     {"dropped", capture->dropped},
+    } counters[] = {{"frames", frames_written},      {"dropped", capture->dropped},
                     {"skipped", capture->skipped},   {"damaged", capture->damaged},
                     {"restarts", capture->restarts}, {"returns", capture->returns}};
     const size_t counter_count = sizeof counters / sizeof counters[0];
@@ -134,7 +138,7 @@ void capture_output_end(const capture_output *output, const char *device, const 
         json_close(&json, '}');
         return;
     }
-    if (capture->frames == 0) {
+    if (frames_written == 0) {
         return;
     }
     one_line(stdout, device);

@@ -87,17 +87,22 @@ static int run(const capture_options *options)
 {
     const input_list none = {NULL, 0, 0};
     int to_stdout = strcmp(options->output.folder, "-") == 0;
-    int exit_code = to_stdout ? EXIT_DONE : overlay_folder_begin(options->output.folder, &none);
-    if (exit_code == EXIT_DONE) {
-        stop_signal_catch();
-        exit_code = camera_open(options->device, &options->wanted);
-    }
+    stop_signal_catch();
+    int exit_code = camera_open(options->device, &options->wanted); /* first: no folder without a camera */
     if (exit_code != EXIT_DONE) {
         return exit_code;
     }
-    exit_code = capture_frames(options);
-    if (!to_stdout) {
-        capture_output_end(&options->output, options->device, camera_capture());
+    exit_code = to_stdout ? EXIT_DONE : overlay_folder_begin(options->output.folder, &none);
+    if (exit_code == EXIT_DONE) {
+        exit_code = capture_frames(options);
+        if (!to_stdout) {
+            capture_output_end(&options->output, options->device, camera_capture());
+        }
+    }
+    if (exit_code == EXIT_DONE && camera_recording_is_damaged()) {
+        complain(options->device, "%llu frames damaged; %s", (unsigned long long)camera_capture()->damaged,
+                 camera_problem());
+        exit_code = EXIT_BAD_DATA;
     }
     camera_close();
     capture_output_free();

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "args.h"
+#include "camera.h"
 #include "commands.h"
 #include "complain.h"
 #include "follow_camera.h"
@@ -104,6 +105,7 @@ static int follow(const follow_options *options, const input_list *inputs)
     follow_session_begin(&s.session, options);
     if (options->camera) {
         exit_code = follow_camera_run(&s.session);
+        exit_code = exit_code == EXIT_DONE && camera_recording_is_damaged() ? EXIT_BAD_DATA : exit_code;
     } else {
         for (int i = 0; i < inputs->count; i++) {
             int length = (int)strlen(inputs->paths[i]);

@@ -59,8 +59,9 @@ static iris_status set_going(iris_capture *capture, iris_capture_grant *grant)
     const iris_capture_driver *driver = capture->source.driver;
     void *device = capture->source.device;
     memset(grant, 0, sizeof *grant);
-    capture->tried_ms = clock_ms();
     iris_status status = driver->open(device, grant, capture->path, &capture->config);
+    capture->tried_ms =
+        clock_ms(); /* after what may have taken long: the others on its bus shall have their time */
     if (status != IRIS_OK) {
         return status;
     }

@@ -153,9 +153,15 @@ static iris_status recording_start(void *user)
     return IRIS_OK;
 }
 
+/* n * to / from, rounded down, also where n * to has more than 64 bits. */
+static int64_t scale(int64_t n, int64_t to, int64_t from)
+{
+    return n / from * to + n % from * to / from;
+}
+
 static int64_t due_us(const iris_recording *device, int64_t index)
 {
-    return device->start_us + index * 1000000000 / device->rate_millihz;
+    return device->start_us + scale(index, 1000000000, device->rate_millihz);
 }
 
 /* The newest frame that is due by now; the one that comes next, where frames are not to be left out. */
@@ -164,7 +170,7 @@ static int64_t newest_due(const iris_recording *device)
     if (device->rate_millihz == 0 || device->policy != IRIS_CAPTURE_LATEST) {
         return device->index;
     }
-    return (iris_recording_clock_us() - device->start_us) * device->rate_millihz / 1000000000;
+    return scale(iris_recording_clock_us() - device->start_us, device->rate_millihz, 1000000000);
 }
 
 /* The picture that has begun, or its place, has gone by without a frame. */

@@ -91,7 +91,13 @@ static iris_status refuse(iris_v4l2 *device, int32_t wanted)
         problem_text_add(&text, i == 0 ? "" : " ");
         problem_text_add(&text, name);
     }
-    problem_text_add(&text, wanted == 0 ? "; IRIS reads" : "; wanted is");
+    int32_t named = 0;
+    for (int i = 0; i < VIDEO_FORMATS; i++) {
+        named += video_formats[i].format == wanted;
+    }
+    problem_text_add(&text, wanted == 0 ? "; IRIS reads"
+                            : named > 0 ? "; wanted is"
+                                        : "; no camera of the kernel gives the one that is wanted");
     for (int i = 0; i < VIDEO_FORMATS; i++) {
         if (wanted == 0 || video_formats[i].format == wanted) {
             video_fourcc_text(name, video_formats[i].fourcc);

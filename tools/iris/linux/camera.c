@@ -11,8 +11,10 @@
 #include "iris/recording.h"
 #include "iris/v4l2.h"
 
-/* Memory for a frame of a recording: enough for the largest that can be followed. It is taken as it is used. */
-#define RECORDING_BYTES IRIS_RECORDING_BYTES(8192, 8192, 3)
+/* Memory for a frame of a recording: enough for the largest that can be followed. It is taken as it is used. Where a
+ * program may not have so much, less is enough for smaller ones. */
+#define RECORDING_BYTES       IRIS_RECORDING_BYTES(8192, 8192, 3)
+#define RECORDING_LEAST_BYTES IRIS_RECORDING_BYTES(320, 240, 1)
 
 /* A time of a driver that is farther away than this is none. */
 #define TRUSTED_US 1000000
@@ -53,9 +55,11 @@ static iris_capture_source source_of(const char *device)
     if (!camera.is_recording) {
         return iris_v4l2_source(&camera.v4l2);
     }
-    if (!camera.recording.memory) {
-        camera.recording.memory = malloc(RECORDING_BYTES);
-        camera.recording.bytes = camera.recording.memory ? RECORDING_BYTES : 0;
+    size_t bytes = RECORDING_BYTES;
+    while (!camera.recording.memory && bytes >= RECORDING_LEAST_BYTES) {
+        camera.recording.memory = malloc(bytes);
+        camera.recording.bytes = camera.recording.memory ? bytes : 0;
+        bytes /= 2;
     }
     return iris_recording_source(&camera.recording);
 }
@@ -68,6 +72,9 @@ int camera_open(const char *device, const iris_capture_config *config)
         return EXIT_DONE;
     }
     const char *problem = iris_capture_problem(&camera.capture);
+    if (status == IRIS_ERR_SCRATCH && camera.recording.bytes < RECORDING_BYTES) {
+        problem = "out of memory";
+    }
     complain(device, "%s", *problem != '\0' ? problem : iris_status_text(status));
     camera_close();
     return EXIT_BAD_DATA;
@@ -104,6 +111,11 @@ const iris_capture *camera_capture(void)
 int camera_is_recording(void)
 {
     return camera.is_recording;
+}
+
+int camera_recording_is_damaged(void)
+{
+    return camera.is_recording && camera.capture.damaged > 0;
 }
 
 const char *camera_problem(void)

@@ -41,6 +41,11 @@ int camera_is_recording(void)
     return 0;
 }
 
+int camera_recording_is_damaged(void)
+{
+    return 0;
+}
+
 const char *camera_problem(void)
 {
     return "this build of iris has no cameras";
