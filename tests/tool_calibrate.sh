@@ -62,6 +62,13 @@ awk 'BEGIN { for (v = 0; v < 5; v++) { a = 1.2566 * v; t = 0.5; c = cos(t); s = 
 works "board" board --board 8x6 --square 25mm --image-size 640x480 --corners view?.txt
 grep -q '^5 views, off by 0.0000 pixels' out && grep -q '^fx  *600  ' out && grep -q '^view4.txt: .* mm away$' out; say $? "in words"
 grep -q '^good: ' out; say $? "its verdict"
+works "board -o" board --board 8x6 --square 25mm --image-size 640x480 --corners view?.txt -o a.camera
+[ "$(head -2 a.camera | tr '\n' ' ')" = "iris camera 1 size 640 480 " ] && grep -Eq '^focal (600.000|599.999)' a.camera && grep -q '^# 5 views, off by 0.0000' a.camera
+say $? "the camera file"
+works "board -o -" board --board 8x6 --square 25mm --image-size 640x480 --corners view?.txt -o -
+cmp -s out a.camera; say $? "the camera on standard output alone"
+refuses "-o without a size" 2 "o: the size of the pictures is needed" board --board 8x6 --corners view0.txt -o b.camera
+refuses "-o - with --json" 2 "o: not to standard output" board --board 8x6 --image-size 640x480 --json --corners view0.txt -o -
 works "board --json" board --board 8x6 --square 2.5cm --corners --json view?.txt
 near fx 600 0.001; near fy 600 0.001; near skew 0 0; near u0 320 0.001; near v0 240 0.001; near k1 -0.2 0.0001; near rms_px 0 0.00001
 grep -q '^{"fx":.*"rms_px":.*"deviations":{"fx":.*"skew":null,.*"verdict":\[\],"views":\[{"file":"view0.txt","rms_px":[^,]*,"turn":\[.*"shift":\[.*,"corners":\[\[[0-9.]*,[0-9.]*\],' out

@@ -7,13 +7,15 @@
 #include "calibrate.h"
 #include "calibrate_json.h"
 #include "complain.h"
+#include "file_write.h"
 #include "iris/3d/calib_board.h"
+#include "iris/3d/camera_text.h"
 #include "number_file.h"
 #include "one_line.h"
 
 static const char help[] =
     "usage: iris calibrate board (--board CxR --square SIZE | --points FILE) [--model TERMS]\n"
-    "                            [--image-size WxH] [--json] --corners FILE...\n\n"
+    "                            [--image-size WxH] [--json] --corners FILE... [-o CAMERA]\n\n"
     "From views of a board with known points, such as the inner corners of a chessboard, to the camera,\n"
     "its lens, and how well both are known.\n\n"
     "  --board CxR      inner corners in a row, and rows: 9x6\n"
@@ -23,13 +25,16 @@ static const char help[] =
     "  --model TERMS    what is looked for beside focal lengths, principal point, k1, and k2: any of\n"
     "                   skew, k3, and tangential, with commas between, or none. Default: k3,tangential\n"
     "  --image-size WxH of the pictures, to tell how much of them the corners cover\n"
-    "  --json           one JSON object\n\n"
+    "  --json           one JSON object\n"
+    "  -o CAMERA        writes a camera file: a text of the values; --image-size is needed with it. -: to\n"
+    "                   standard output, and nothing else\n\n"
     "Ten views that tilt the board by 30 degrees and more, this way and that, and together fill the\n"
     "picture, are good. JSON has fx, fy, skew, u0, v0, k1, k2, k3, p1, p2 (the lens's terms as OpenCV's),\n"
     "rms_px, deviations (the standard deviation of each, null where it was not looked for), verdict (a\n"
     "list of sentences; empty: nothing is to be said against it), and views: file, rms_px, turn (a vector\n"
     "in radians) and shift, which bring the board's points to the camera, and corners.\n\n"
-    "example: iris calibrate board --board 9x6 --square 25mm --corners left*_corners.txt --json\n";
+    "example: iris calibrate board --board 9x6 --square 25mm --image-size 640x480 -o left.camera\n"
+    "                 --corners left*_corners.txt\n";
 
 #define POINTS 1024 /* of a board */
 
@@ -46,7 +51,7 @@ typedef struct {
 } session;
 
 typedef struct {
-    const char *board, *square, *points, *model, *size;
+    const char *board, *square, *points, *model, *size, *output;
 } texts;
 
 /* A number and its unit. */
@@ -300,7 +305,41 @@ static void print_text(const session *s)
     }
 }
 
-static int run(session *s, int json)
+/* The camera file, with how good it is in its comments. */
+static int write_camera(FILE *file, const void *user)
+{
+    const session *s = user;
+    const iris_camera_model model = {s->config.size, s->fit.intrinsics, s->fit.lens};
+    char text[IRIS_CAMERA_TEXT_BYTES], said[256];
+    size_t length = 0;
+    if (iris_camera_write_text(text, sizeof text, &length, &model) != IRIS_OK) {
+        return 0;
+    }
+    fputs(text, file);
+    fprintf(file, "\n# %d views, off by %.4f pixels (root mean square)\n", (int)s->count,
+            calibrate_real(s->fit.rms));
+    for (int i = 0; verdict(said, s, i); i++) {
+        fputs("# ", file);
+        one_line(file, said);
+        fputs("\n", file);
+    }
+    return !ferror(file) && fflush(file) == 0;
+}
+
+static int print(const session *s, const char *output, int json)
+{
+    if (output && !file_write(output, write_camera, s)) {
+        return EXIT_BAD_DATA;
+    }
+    if (json) {
+        print_json(s);
+    } else if (!output || strcmp(output, "-") != 0) {
+        print_text(s);
+    }
+    return EXIT_DONE;
+}
+
+static int run(session *s, const char *output, int json)
 {
     static IRIS_SCRATCH_BUFFER(memory, IRIS_BOARD_SCRATCH_BYTES(IRIS_BOARD_VIEWS_MAX));
     iris_scratch scratch;
@@ -313,12 +352,7 @@ static int run(session *s, int json)
         iris_board_calibrate(&s->fit, s->places, s->views, s->count, &s->config, &scratch) != IRIS_OK) {
         complain_flaw(s);
     } else if (read) {
-        exit_code = EXIT_DONE;
-        if (json) {
-            print_json(s);
-        } else {
-            print_text(s);
-        }
+        exit_code = print(s, output, json);
     }
     for (int32_t v = 0; v < s->count; v++) {
         free((void *)(uintptr_t)s->views[v].points);
@@ -331,17 +365,19 @@ int calibrate_board(int argc, char **argv)
     static session s;
     texts given = {.model = "k3,tangential"};
     int json = 0, corners = 0;
-    const args_option options[] = {{"board", 0, NULL, &given.board},
-                                   {"square", 0, NULL, &given.square},
-                                   {"points", 0, NULL, &given.points},
-                                   {"model", 0, NULL, &given.model},
-                                   {"corners", 0, &corners, NULL},
-                                   {"image-size", 0, NULL, &given.size},
-                                   {"json", 0, &json, NULL}};
+    const args_option options[] = {{"board", 0, NULL, &given.board},     {"square", 0, NULL, &given.square},
+                                   {"points", 0, NULL, &given.points},   {"model", 0, NULL, &given.model},
+                                   {"corners", 0, &corners, NULL},       {"image-size", 0, NULL, &given.size},
+                                   {"output", 'o', NULL, &given.output}, {"json", 0, &json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
         return exit_code;
+    }
+    if (given.output && (!given.size || (json && strcmp(given.output, "-") == 0))) {
+        complain("-o", given.size ? "not to standard output together with --json"
+                                  : "the size of the pictures is needed, too: --image-size WxH");
+        return EXIT_BAD_CALL;
     }
     if (!read_model(&s.config.model, given.model) || (given.size && !read_size(&s.config.size, given.size))) {
         return EXIT_BAD_CALL;
@@ -358,5 +394,5 @@ int calibrate_board(int argc, char **argv)
     }
     s.files = args.operands;
     s.count = args.operand_count;
-    return run(&s, json);
+    return run(&s, given.output, json);
 }

@@ -1,0 +1,38 @@
+/* Texts of lines that people can read, with a check at their end: what writes and reads them. Empty lines, spaces, and
+ * what stands behind a # do not count.
+ */
+#ifndef IRIS_TEXT_LINES_H
+#define IRIS_TEXT_LINES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define IRIS_TEXT_CHECK 2166136261u /* of nothing yet */
+
+/* FNV-1a over numbers, as bytes of 64 bits, the lowest first. */
+uint32_t iris_text_check(uint32_t check, const int64_t *numbers, int count);
+
+/* Each writes at `at` and returns where it ends. Numbers have `behind` behind them; those with 32 fraction bits, which
+ * are below 2^62, ten digits behind the point, by which they are read again as they were. */
+char *iris_text_put_bytes(char *at, const char *text, size_t bytes);
+char *iris_text_put_number(char *at, int64_t value, char behind);
+char *iris_text_put_q32(char *at, int64_t q32, char behind);
+char *iris_text_put_check(char *at, uint32_t check); /* the whole line */
+
+/* The rest of a line, and of the text behind it. */
+typedef struct {
+    const char *at, *end; /* of the line */
+    const char *next, *text_end;
+    int32_t line;
+} iris_text_lines;
+
+/* Goes to the next line that has something in it. 0 when there is none. */
+int iris_text_next_line(iris_text_lines *r);
+
+/* Each steps over what it names, and the spaces behind it. 0 when something else stands there. */
+int iris_text_take_word(iris_text_lines *r, const char *word);
+int iris_text_take_number(int64_t *number, iris_text_lines *r); /* within 2^62 */
+int iris_text_take_q32(int64_t *q32, iris_text_lines *r);       /* within a thousand million */
+int iris_text_take_check(uint32_t *check, iris_text_lines *r);
+
+#endif
