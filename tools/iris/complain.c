@@ -7,10 +7,16 @@
 #include "progress.h"
 
 static const char *current;
+static void (*current_taker)(const char *subject, const char *text);
 
 void complain_as(const char *command)
 {
     current = command;
+}
+
+void complain_to(void (*taker)(const char *subject, const char *text))
+{
+    current_taker = taker;
 }
 
 void complain(const char *subject, const char *format, ...)
@@ -21,6 +27,10 @@ void complain(const char *subject, const char *format, ...)
     /* clang-tidy 14 forgets va_start among several files. NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized) */
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
+    if (current_taker) {
+        current_taker(subject, text);
+        return;
+    }
     progress_clear();
     fflush(stdout); /* in the order things happened, where both go to the same place */
     fprintf(stderr, "iris%s%s: ", current ? " " : "", current ? current : "");

@@ -12,6 +12,9 @@ enum {
 /* The command that complains from now on; null before one is known. */
 void complain_as(const char *command);
 
+/* From now on complaints go there, not to standard error; text has no line break at its end. Null: as before. */
+void complain_to(void (*taker)(const char *subject, const char *text));
+
 /* subject: a file or an option; null for none. */
 void complain(const char *subject, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -76,7 +76,6 @@ static int look(follow_answer *answer, follow_session *s, const iris_image *imag
     }
     follow_floor_steer(&answer->command, &answer->goal, &s->steer, &answer->line, &s->options->floor,
                        elapsed_ms);
-    answer->command.seq = (int32_t)(s->answered % 10000); /* --stills too counts sentences */
     answer->wheel_centideg = iris_steer_wheel_centideg(&s->steer, &answer->command);
     s->answered++;
     s->last_ms = now_ms;
@@ -134,8 +133,7 @@ void follow_session_halt(follow_session *s)
     iris_steer_init(&s->steer, NULL);
     s->halted = 1;
     if (s->options->steering.used) {
-        const iris_command stop = {.seq = (int32_t)(s->answered % 10000), .state = IRIS_LINE_LOST};
-        steering_send(&stop);
+        steering_halt();
     }
 }
 

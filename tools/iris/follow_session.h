@@ -36,7 +36,7 @@ void follow_session_begin(follow_session *s, const follow_options *options);
 /* Follows the line into this frame, steers, sends the command, and reports. Complains; returns an exit code. */
 int follow_session_answer(follow_session *s, const follow_frame *frame);
 
-/* Sends the command to stop; what was seen before is forgotten. */
+/* Stops the robot until the next frame; what was seen before is forgotten. */
 void follow_session_halt(follow_session *s);
 
 void follow_session_end(follow_session *s);

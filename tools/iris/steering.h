@@ -1,8 +1,8 @@
 /* Steering out of `iris follow`: commands to the robot over a serial port and GPIO lines.
  *
  * On Linux a process of its own owns both. It gets the commands over a socket, of which the newest counts, and stops the robot
- * when none has come for --watchdog, and when this process ends, however it does. If that process is gone, this one stops the
- * robot and ends.
+ * when none has come for --watchdog, the first one included, and when this process ends, however it does. If that process is
+ * gone or hangs, this one stops the robot and ends.
  */
 #ifndef IRIS_TOOL_STEERING_H
 #define IRIS_TOOL_STEERING_H
@@ -15,8 +15,11 @@
 /* Opens what the options name, which must stay. Complains; returns an exit code. */
 int steering_open(const steering_options *options);
 
-/* Never waits. */
+/* Never waits. The sentences are numbered where they are sent: command->seq does not matter. */
 void steering_send(const iris_command *command);
+
+/* Stops the robot until the next command. Never waits. */
+void steering_halt(void);
 
 /* Waits until `ms` milliseconds after opening. */
 void steering_wait(int64_t ms);

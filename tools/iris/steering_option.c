@@ -95,6 +95,10 @@ static int read_entry(steering_options *options, char *entry)
     if (!read_properties(&line, rest)) {
         return 0;
     }
+    if ((role == STEERING_LEFT_PWM || role == STEERING_RIGHT_PWM) && line.initial && !line.safe) {
+        complain("--gpio", "%s: initial=1 would drive the motor before any command", name);
+        return 0;
+    }
     options->roles[options->line_count] = (steering_role)role;
     options->lines[options->line_count++] = line;
     return 1;

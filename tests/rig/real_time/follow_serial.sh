@@ -34,7 +34,7 @@ for port in serial usb; do
     [ $port = usb ] && device=$RIG_USB_SERIAL
     for baud in 9600 115200; do
         rig clear $port
-        works "$port at $baud" --serial "$device" --baud $baud --rate 20 right.pgm left.pgm right.pgm left.pgm
+        works "$port at $baud" --serial "$device" --baud $baud --rate 20 --watchdog 10s right.pgm left.pgm right.pgm left.pgm
         rig received $port 100 1000 > far
         whole far 0 4; say $? "$port at $baud: whole sentences in order, the last one last"
         [ "$(wc -l < said)" -eq 5 ]; say $? "$port at $baud: one for each frame, and the stop"

@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,10 +15,14 @@
 #include "steering_link.h"
 #include "steering_process.h"
 #include "steering_rescue.h"
+#include "steering_say.h"
 
-#define OPEN_MS   5000
-#define SILENT_MS 2000 /* a steering process that says nothing for so long hangs */
-#define STEP_MS   2
+#define OPEN_MS 5000
+#define STEP_MS 2
+
+/* A steering process that says nothing for the watchdog's time hangs; at least and at most so long. */
+#define SILENT_LEAST_MS 500
+#define SILENT_MOST_MS  2000
 
 enum { NOT_OPEN, RUNNING, STOPPING, GONE };
 
@@ -58,22 +63,31 @@ static void stop_without_it(void)
     (void)kill(steering.process, SIGKILL);
     (void)has_ended(&wait_status, STEERING_STOP_MS); /* so that its lines are free */
     int done = steering_rescue(steering.options);
-    dprintf(STDERR_FILENO, "iris follow: the steering process is gone: %s\n",
-            done ? "the robot was stopped without it"
-                 : "the robot was NOT stopped, not all of it was reached");
+    steering_say(NULL,
+                 done ? "the steering process is gone: the robot was stopped without it"
+                      : "the steering process is gone: the robot was NOT stopped, not all of it was reached");
 }
 
 /* A thread of its own, so that it sees the process go whatever the rest of the program hangs in. */
 static void *keep_watch(void *nothing)
 {
     char bytes[64];
-    for (;;) {
+    int32_t most_ms =
+        steering.options->watchdog_ms < SILENT_MOST_MS ? steering.options->watchdog_ms : SILENT_MOST_MS;
+    most_ms = most_ms > SILENT_LEAST_MS ? most_ms : SILENT_LEAST_MS;
+    /* Counted in turns, not by the clock: while the whole machine stalls, that process can say nothing. */
+    for (int32_t silent_ms = 0; silent_ms < most_ms;) {
         struct pollfd link = {steering.link, POLLIN, 0};
-        int ready = poll(&link, 1, SILENT_MS);
+        int ready = poll(&link, 1, STEERING_ALIVE_MS);
         if (ready < 0 && errno == EINTR) {
             continue;
         }
+        if (ready == 0) {
+            silent_ms += STEERING_ALIVE_MS;
+            continue;
+        }
         if (ready > 0 && recv(steering.link, bytes, sizeof bytes, MSG_DONTWAIT) > 0) {
+            silent_ms = 0;
             continue;
         }
         if (ready > 0 && (link.revents & (POLLHUP | POLLERR)) == 0 && errno == EAGAIN) {
@@ -88,13 +102,23 @@ static void *keep_watch(void *nothing)
     return nothing;
 }
 
+/* When it is not taken, the guard finds out why. Calls nothing that a signal must not. */
+static void send_message(steering_kind kind, const iris_command *command)
+{
+    steering_message message;
+    memset(&message, 0, sizeof message);
+    message.kind = kind;
+    message.time_ms = steering_clock_ms();
+    if (command) {
+        message.command = *command;
+    }
+    (void)send(steering.link, &message, sizeof message, MSG_DONTWAIT | MSG_NOSIGNAL);
+}
+
 /* Asks the process to stop the robot and to end. Calls nothing that a signal must not. */
 static void say_farewell(void)
 {
-    steering_message farewell;
-    memset(&farewell, 0, sizeof farewell);
-    farewell.farewell = 1;
-    (void)send(steering.link, &farewell, sizeof farewell, MSG_DONTWAIT | MSG_NOSIGNAL);
+    send_message(STEERING_FAREWELL, NULL);
     (void)shutdown(steering.link, SHUT_WR);
 }
 
@@ -123,7 +147,7 @@ static void stop_by_signal(int number)
             }
         }
         if (turns == 0) {
-            (void)!write(STDERR_FILENO, unanswered, sizeof unanswered - 1);
+            steering_say_bytes(unanswered, sizeof unanswered - 1);
         }
     }
     errno = error;
@@ -146,12 +170,17 @@ static void catch_signals(void)
 }
 
 /* In the child. What waits for the end of this program's input and output does not wait for the robot to stop. */
-static void become_the_process(int link)
+static void become_the_process(int link, pid_t parent)
 {
+    complain_to(steering_say);
+    /* Halted, it could not stop the robot of a program that is killed. */
+    (void)prctl(PR_SET_PDEATHSIG, SIGCONT);
+    if (getppid() != parent) {
+        _exit(EXIT_BAD_DATA);
+    }
     FILE *nowhere = freopen("/dev/null", "r", stdin);
     nowhere = freopen("/dev/null", "w", stdout) ? nowhere : NULL;
     int exit_code = nowhere ? steering_process_run(steering.options, link) : EXIT_BAD_DATA;
-    fflush(stderr);
     _exit(exit_code);
 }
 
@@ -190,6 +219,7 @@ static int start_guard(void)
 int steering_open(const steering_options *options)
 {
     int links[2];
+    const pid_t self = getpid();
     steering.options = options;
     fflush(stdout); /* or both would write it */
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, links) != 0 ||
@@ -199,7 +229,7 @@ int steering_open(const steering_options *options)
     }
     if (steering.process == 0) {
         close(links[0]);
-        become_the_process(links[1]);
+        become_the_process(links[1], self);
     }
     close(links[1]);
     steering.link = links[0];
@@ -223,12 +253,12 @@ int steering_open(const steering_options *options)
 
 void steering_send(const iris_command *command)
 {
-    steering_message message;
-    memset(&message, 0, sizeof message);
-    message.time_ms = steering_clock_ms();
-    message.command = *command;
-    /* When it is not taken, the guard finds out why. */
-    (void)send(steering.link, &message, sizeof message, MSG_DONTWAIT | MSG_NOSIGNAL);
+    send_message(STEERING_COMMAND, command);
+}
+
+void steering_halt(void)
+{
+    send_message(STEERING_HALT, NULL);
 }
 
 void steering_wait(int64_t ms)

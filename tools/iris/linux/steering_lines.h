@@ -12,7 +12,7 @@
 #include "iris/pwm.h"
 
 typedef enum {
-    LINES_INITIAL, /* no command yet */
+    LINES_INITIAL, /* no command yet, for the watchdog's time */
     LINES_DRIVEN,  /* as the last command says */
     LINES_SAFE
 } steering_lines_mode;

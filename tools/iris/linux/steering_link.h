@@ -7,11 +7,17 @@
 
 #include "iris/command.h"
 
+typedef enum {
+    STEERING_COMMAND,
+    STEERING_HALT,    /* stop until the next command */
+    STEERING_FAREWELL /* the last message: the program ends as it should */
+} steering_kind;
+
 /* To the steering process. */
 typedef struct {
-    int32_t farewell; /* 1: the last message, and no command: the program ends as it should */
-    int64_t time_ms;  /* when the command was made */
-    iris_command command;
+    steering_kind kind;
+    int64_t time_ms;      /* when it was made */
+    iris_command command; /* of STEERING_COMMAND; its number is the steering process's to give */
 } steering_message;
 
 /* The steering process sends any byte so often at least: it is alive. The first one says that everything is open. */

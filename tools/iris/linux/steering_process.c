@@ -28,9 +28,10 @@ static struct {
     steering_lines lines;
     iris_watchdog dog;
     int started;        /* 1: there was a command */
+    int halted;         /* 1: to stand still until the next command */
     int has_farewell;   /* 1: the program ends as it should */
     int32_t seq;        /* of the next sentence */
-    int32_t stops;      /* sentences of our own so far, which the numbers of later commands leave room for */
+    int64_t opened_ms;  /* when everything was open */
     int64_t stopped_ms; /* when the robot was last told to stop */
     int64_t alive_ms;   /* when the other end was last told that we live */
 } robot;
@@ -43,25 +44,35 @@ static void end_by_signal(int number)
     is_told_to_end = 1;
 }
 
+/* All are counted, those too that no port has taken: the robot sees the gap. */
+static int32_t next_number(void)
+{
+    const int32_t number = robot.seq;
+    robot.seq = (robot.seq + 1) % 10000;
+    return number;
+}
+
 static iris_status send_stop(int64_t now_ms)
 {
-    const iris_command stop = {.seq = robot.seq, .state = IRIS_LINE_LOST};
-    robot.seq = (robot.seq + 1) % 10000;
-    robot.stops++;
+    const iris_command stop = {.seq = next_number(), .state = IRIS_LINE_LOST};
     robot.stopped_ms = now_ms;
     return steering_port_send(&robot.port, &stop, now_ms);
 }
 
-static void take_command(const steering_message *message)
+static void take(const steering_message *message)
 {
     iris_command command = message->command;
+    robot.halted = message->kind == STEERING_HALT;
+    if (robot.halted) {
+        return;
+    }
     robot.started = 1;
+    robot.stopped_ms = steering_clock_ms() - REPEAT_MS; /* the next stop is due at once */
+    command.seq = next_number();
     iris_watchdog_feed(&robot.dog, (uint32_t)message->time_ms);
     if (iris_watchdog_expired(&robot.dog, (uint32_t)steering_clock_ms())) {
         return; /* it was too long on its way */
     }
-    command.seq = (command.seq + robot.stops) % 10000;
-    robot.seq = (command.seq + 1) % 10000;
     if (robot.options->serial) {
         (void)steering_port_send(&robot.port, &command, steering_clock_ms());
     }
@@ -70,7 +81,7 @@ static void take_command(const steering_message *message)
     }
 }
 
-/* Takes the newest command that has come; waits for one at most so long. Returns 0 at the end of the link. */
+/* Takes the newest message that has come; waits for one at most so long. Returns 0 at the end of the link. */
 static int hear(int64_t wait_us, const sigset_t *open_signals)
 {
     const struct timespec timeout = {(time_t)(wait_us / 1000000), (long)(wait_us % 1000000) * 1000};
@@ -84,9 +95,12 @@ static int hear(int64_t wait_us, const sigset_t *open_signals)
         return 0;
     }
     while ((got = recv(robot.link, &message, sizeof message, MSG_DONTWAIT)) > 0) {
-        if (got != (ssize_t)sizeof message || message.farewell) {
+        if (got != (ssize_t)sizeof message || message.kind == STEERING_FAREWELL) {
             robot.has_farewell = 1;
         } else {
+            if (count > 0 && newest.kind == STEERING_COMMAND) {
+                (void)next_number(); /* of one that no robot will see */
+            }
             newest = message;
             count++;
         }
@@ -94,7 +108,7 @@ static int hear(int64_t wait_us, const sigset_t *open_signals)
     const int is_open = got < 0 && (errno == EAGAIN || errno == EINTR);
     if (count > 0 &&
         (is_open || robot.has_farewell)) { /* the last one of a program that breaks down counts no more */
-        take_command(&newest);
+        take(&newest);
     }
     return is_open && !robot.has_farewell && !is_told_to_end;
 }
@@ -120,12 +134,25 @@ static void say_expired(void)
     }
 }
 
+/* For how many milliseconds the robot may go on as it does; 0: it has to stand still. */
+static int64_t left_ms(int64_t now_ms)
+{
+    if (robot.halted) {
+        return 0;
+    }
+    if (robot.started) {
+        return iris_watchdog_left_ms(&robot.dog, (uint32_t)now_ms);
+    }
+    const int64_t end_ms = robot.opened_ms + robot.options->watchdog_ms + 1;
+    return now_ms < end_ms ? end_ms - now_ms : 0;
+}
+
 /* Does all that is due. Returns in how many microseconds something will be. */
 static int64_t steer(void)
 {
     const int64_t now_us = steering_clock_us(), now_ms = now_us / 1000;
-    const int32_t left_ms = iris_watchdog_left_ms(&robot.dog, (uint32_t)now_ms);
-    const steering_lines_mode mode = !robot.started ? LINES_INITIAL : left_ms > 0 ? LINES_DRIVEN : LINES_SAFE;
+    const int64_t rest_ms = left_ms(now_ms);
+    const steering_lines_mode mode = rest_ms == 0 ? LINES_SAFE : robot.started ? LINES_DRIVEN : LINES_INITIAL;
     int64_t wait_us = STEERING_ALIVE_MS * 1000;
     if (robot.options->line_count > 0) { /* lines first: they are the faster */
         wait_us = steering_lines_drive(&robot.lines, mode, now_us);
@@ -143,8 +170,8 @@ static int64_t steer(void)
     }
     say_alive(now_ms);
     say_expired();
-    if (mode == LINES_DRIVEN && left_ms * (int64_t)1000 < wait_us) {
-        wait_us = left_ms * (int64_t)1000;
+    if (rest_ms > 0 && rest_ms * 1000 < wait_us) {
+        wait_us = rest_ms * 1000;
     }
     return wait_us;
 }
@@ -168,6 +195,7 @@ static int stop_robot(void)
         if (lines_safe && port == IRIS_OK) {
             return 1;
         }
+        say_alive(now_ms);
         steering_sleep_ms(STEP_MS);
     }
     if (port != IRIS_OK) {
@@ -234,7 +262,8 @@ int steering_process_run(const steering_options *options, int link)
         return exit_code;
     }
     (void)iris_watchdog_init(&robot.dog, options->watchdog_ms);
-    say_alive(steering_clock_ms());
+    robot.opened_ms = steering_clock_ms();
+    say_alive(robot.opened_ms);
     while (hear(steer(), &open_signals)) {
     }
     if (!robot.has_farewell) {

@@ -18,6 +18,10 @@ void steering_send(const iris_command *command)
     (void)command;
 }
 
+void steering_halt(void)
+{
+}
+
 void steering_wait(int64_t ms)
 {
     (void)ms;
