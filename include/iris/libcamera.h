@@ -9,7 +9,7 @@
  * libcamera is a C++ library that allocates memory, starts threads, and exists once in a process. So this is the one source
  * that does these things, too, between open and close; it has an archive of its own, libiris-libcamera.a, and IRIS without it
  * has none of that. A program that also uses libcamera by itself must not have a CameraManager while a device is open, nor
- * call iris_libcamera_list then. Several devices may be open at a time, from several threads. libcamera tells standard error
+ * call the lists then. Several devices may be open at a time, from several threads. libcamera tells standard error
  * what it does; LIBCAMERA_LOG_LEVELS=*:FATAL in the environment keeps it quiet.
  *
  * Granted is what libcamera negotiates: size, stride, format, and color space are read back, a stride wanted is not heard. The
@@ -54,6 +54,20 @@ typedef struct {
  * IRIS_ERR_ARG: null pointer or negative capacity; IRIS_ERR_UNSUPPORTED: built without libcamera; IRIS_ERR_IO: libcamera
  * does not start. With the last two *count is 0. Takes 0.1 to 1 s. */
 iris_status iris_libcamera_list(iris_libcamera_info *cameras, int32_t *count, int32_t capacity);
+
+/* A format in every size from least to most in steps; a single size is both, with steps of 0. */
+typedef struct {
+    char name[24];  /* libcamera's, such as "NV12" or "BGR888" */
+    int32_t format; /* an iris_format or IRIS_CAPTURE_NV12; 0: IRIS does not read it */
+    iris_size least, most, step;
+} iris_libcamera_mode;
+
+/* What a camera says that it offers for pictures, without the raw pixels of its sensor; the sizes of one format follow one
+ * another. The path, *count, and the capacity are as above. What is granted may be another size all the same.
+ * IRIS_ERR_ARG: null pointer or negative capacity; IRIS_ERR_UNSUPPORTED: built without libcamera, or no pictures from this
+ * camera; IRIS_ERR_IO: no such camera, or libcamera does not start. *count is 0 then. Takes 0.1 to 1 s. */
+iris_status iris_libcamera_list_modes(iris_libcamera_mode *modes, int32_t *count, const char *path,
+                                      int32_t capacity);
 
 #ifdef __cplusplus
 }

@@ -80,6 +80,11 @@ static void wrong_calls_are_refused(void **state)
     assert_int_equal(iris_libcamera_list(NULL, &count, 1), IRIS_ERR_ARG);
     assert_int_equal(iris_libcamera_list(info, NULL, 1), IRIS_ERR_ARG);
     assert_int_equal(iris_libcamera_list(info, &count, -1), IRIS_ERR_ARG);
+    iris_libcamera_mode mode;
+    assert_int_equal(iris_libcamera_list_modes(NULL, &count, "", 1), IRIS_ERR_ARG);
+    assert_int_equal(iris_libcamera_list_modes(&mode, NULL, "", 1), IRIS_ERR_ARG);
+    assert_int_equal(iris_libcamera_list_modes(&mode, &count, NULL, 1), IRIS_ERR_ARG);
+    assert_int_equal(iris_libcamera_list_modes(&mode, &count, "", -1), IRIS_ERR_ARG);
     assert_int_equal(count, 7);
     assert_int_equal(iris_capture_open(&camera, iris_libcamera_source(NULL), "", NULL), IRIS_ERR_ARG);
     assert_int_equal(iris_capture_open(&camera, iris_libcamera_source(&device), NULL, NULL), IRIS_ERR_ARG);
@@ -95,6 +100,9 @@ static void without_libcamera_it_says_what_is_missing(void **state)
     iris_libcamera_info info[1];
     int32_t count = 7;
     assert_int_equal(iris_libcamera_list(info, &count, 1), IRIS_ERR_UNSUPPORTED);
+    assert_int_equal(count, 0);
+    count = 7;
+    assert_int_equal(iris_libcamera_list_modes(NULL, &count, "", 0), IRIS_ERR_UNSUPPORTED);
     assert_int_equal(count, 0);
     assert_int_equal(open_with("", (iris_capture_config){0}), IRIS_ERR_UNSUPPORTED);
     assert_non_null(strstr(iris_capture_problem(&camera), "libcamera-dev"));
@@ -141,6 +149,37 @@ static void vimc_is_listed(void **state)
     iris_capture_close(&camera);
     assert_int_equal(open_with("0", small), IRIS_OK);
     iris_capture_close(&camera);
+}
+
+/* What is offered and read is granted. */
+static void formats_and_sizes_are_listed(void **state)
+{
+    (void)state;
+    need_camera();
+    static iris_libcamera_mode modes[256];
+    int32_t count = 7, reads = 0;
+    assert_int_equal(iris_libcamera_list_modes(NULL, &count, "no such camera", 0), IRIS_ERR_IO);
+    assert_int_equal(count, 0);
+    assert_int_equal(iris_libcamera_list_modes(modes, &count, "", 1), count > 1 ? IRIS_ERR_FULL : IRIS_OK);
+    const int32_t all = count;
+    assert_int_equal(iris_libcamera_list_modes(modes, &count, "0", 256), IRIS_OK);
+    assert_int_equal(count, all);
+    for (int32_t i = 0; i < count; i++) {
+        const iris_libcamera_mode *m = &modes[i];
+        print_message("%s: %dx%d to %dx%d in steps of %dx%d\n", m->name, (int)m->least.w, (int)m->least.h,
+                      (int)m->most.w, (int)m->most.h, (int)m->step.w, (int)m->step.h);
+        assert_true(m->name[0] != '\0' && m->least.w > 0 && m->least.h > 0);
+        assert_true(m->least.w <= m->most.w && m->least.h <= m->most.h);
+        assert_int_equal(m->least.w == m->most.w && m->least.h == m->most.h, m->step.w == 0);
+        if (m->format != 0 && m->least.w <= 160 && m->most.w >= 160) {
+            const iris_capture_config config = {.size = {160, 120}, .format = m->format};
+            assert_int_equal(open_with("0", config), IRIS_OK);
+            assert_int_equal(camera.granted.format, m->format);
+            iris_capture_close(&camera);
+            reads++;
+        }
+    }
+    assert_true(reads > 0);
 }
 
 /* What is granted is what the camera makes of it: 640x480 becomes 636x480, whose rows are not padded. */
@@ -444,6 +483,7 @@ int main(void)
         cmocka_unit_test_teardown(without_libcamera_it_says_what_is_missing, close_camera),
         cmocka_unit_test_teardown(a_camera_that_is_not_there_is_an_error, close_camera),
         cmocka_unit_test_teardown(vimc_is_listed, close_camera),
+        cmocka_unit_test_teardown(formats_and_sizes_are_listed, close_camera),
         cmocka_unit_test_teardown(what_was_negotiated_is_read_back, close_camera),
         cmocka_unit_test_teardown(bytes_are_in_the_order_that_the_format_says, close_camera),
         cmocka_unit_test_teardown(every_frame_comes_in_turn, close_camera),

@@ -19,6 +19,16 @@ works "cameras in JSON" --json
 grep -q "^{\"device\":\"$camera\",\"name\":\"vivid\",\"driver\":\"vivid\",\"bus\":\"platform:vivid-000\",\"problem\":null,\"formats\":\[{\"fourcc\":" out &&
     grep -q '"fourcc":"YUYV","format":"yuyv",' out && grep -q '"sizes":\[{"w":[0-9]*,"h":[0-9]*,"rates":\[[0-9]' out
 say $? "cameras in JSON: formats, sizes, and rates"
+if [ -z "$RIG_MEDIA_CAMERA" ]; then
+    echo "ok - cameras behind libcamera # SKIP the rig has no camera for libcamera"
+else
+    grep -Eq '^\{"device":"libcamera:[^"]*vimc[^"]*","name":"Sensor B","driver":"libcamera","bus":null,"problem":null,"formats":\[\{"fourcc":"[A-Z0-9]+","format":"[a-z0-9-]+","description":null,"sizes":\[\{"w":[0-9]+,"h":[0-9]+,.*"rates":\[\]\}' out
+    say $? "cameras behind libcamera in JSON: formats and sizes"
+    run
+    sed -n '/^libcamera:/,$p' out > behind
+    grep -Eq '^  [A-Z0-9]+ +(rgb|bgr|nv12)$' behind && grep -Eq '^      [0-9]+x[0-9]+' behind
+    say $? "cameras behind libcamera: formats and sizes"
+fi
 
 # --- iris controls ---
 first_argument=controls

@@ -58,3 +58,13 @@ iris_status iris_libcamera_list(iris_libcamera_info *cameras, int32_t *count, in
     *count = 0;
     return IRIS_ERR_UNSUPPORTED;
 }
+
+iris_status iris_libcamera_list_modes(iris_libcamera_mode *modes, int32_t *count, const char *path,
+                                      int32_t capacity)
+{
+    if ((!modes && capacity != 0) || !count || !path || capacity < 0) {
+        return IRIS_ERR_ARG;
+    }
+    *count = 0;
+    return IRIS_ERR_UNSUPPORTED;
+}
