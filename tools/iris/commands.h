@@ -8,6 +8,7 @@
 int cmd_calibrate(int argc, char **argv);
 int cmd_cameras(int argc, char **argv);
 int cmd_capture(int argc, char **argv);
+int cmd_carve(int argc, char **argv);
 int cmd_controls(int argc, char **argv);
 int cmd_info(int argc, char **argv);
 int cmd_follow(int argc, char **argv);

@@ -24,6 +24,7 @@ static const command commands[] = {
     {"lock", cmd_lock, "a colored object, from frame to frame"},
     {"calibrate", cmd_calibrate, "a camera from points that are known"},
     {"stereo", cmd_stereo, "how far things are, from two cameras side by side"},
+    {"carve", cmd_carve, "the shape of a thing from its silhouettes"},
     {"cameras", cmd_cameras, "which cameras there are, with formats, sizes, and rates"},
     {"controls", cmd_controls, "a camera's exposure, gain, and what else it lets be set"},
     {"capture", cmd_capture, "a camera's frames into files"},

@@ -59,6 +59,7 @@ int main(int argc, char **argv)
     score_lock(&s);
     score_calib(&s);
     score_stereo(&s);
+    score_carve(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;

@@ -1,0 +1,68 @@
+#!/bin/sh
+# Carving from outside: cameras and silhouettes in, a cloud of points and figures out.
+first_argument=carve
+. tests/outside
+
+# Cameras 1000 away along z, x, and y, 200 pixels for 2 units: a rectangle each, of 100 x 60, in the middle of 200 x 200.
+awk 'BEGIN { k = "100000 0 99.5 0 100000 99.5 0 0 1"; print 3
+    print "top.png", k, "1 0 0 0 1 0 0 0 1", "0 0 1000"
+    print "side.png", k, "0 1 0 0 0 1 1 0 0", "0 0 1000"
+    print "side2.png", k, "0 0 1 1 0 0 0 1 0", "0 0 1000" }' > cameras.txt
+rectangle() { # rectangle W H : white in the middle of a black PGM
+    awk -v w="$1" -v h="$2" 'BEGIN { printf "P5 200 200 255\n"
+        for (y = 0; y < 200; y++) for (x = 0; x < 200; x++)
+            printf "%s", (x >= 100 - w / 2 && x < 100 + w / 2 && y >= 100 - h / 2 && y < 100 + h / 2 ? "~" : "!") }' > plain.pgm
+    "$iris" threshold --value 64 plain.pgm -o "$3"
+}
+rectangle 100 60 top_mask.bmp  # x, y
+rectangle 60 80 side_mask.bmp  # y, z
+rectangle 80 100 side2_mask.bmp # z, x
+box=--box=-1,-1,-1,1,1,1
+
+works "carve" cameras.txt side2_mask.bmp top_mask.bmp side_mask.bmp $box --voxels 20 -o model.ply
+grep -q '^cameras.txt: 3 views by name, 480 of 20x20x20 voxels left, 288 at the surface$' out; say $? "what is left"
+grep -q '^  from -0.5 -0.3 -0.4 to 0.5 0.3 0.4$' out; say $? "where it is"
+[ "$(sed -n 3p model.ply)" = "element vertex 288" ] && [ "$(wc -l < model.ply)" -eq 295 ] && grep -q '^-0.450000000 -0.250000000 -0.350000000$' model.ply
+say $? "a PLY file"
+works "-o -" cameras.txt side2_mask.bmp top_mask.bmp side_mask.bmp $box --voxels 20 -o -
+cmp -s out model.ply; say $? "the model on standard output alone"
+works "--json" cameras.txt top_mask.bmp side_mask.bmp $box --voxels 20 --json
+grep -qx '{"counts":\[20,20,20\],"views":2,"matched":"name","voxels":480,"surface":[0-9]*,"box":\[-0.5,-0.3,-0.4,0.5,0.3,0.4\]}' out
+say $? "its figures"
+mkdir ordered; cp top_mask.bmp ordered/1.bmp; cp side_mask.bmp ordered/2.bmp; cp side2_mask.bmp ordered/3.bmp
+works "a folder, by order" cameras.txt ordered --box=-1,-1,-1,1,1,0 --voxels 20 --json
+grep -q '"counts":\[20,20,10\],"views":3,"matched":"order","voxels":240,' out; say $? "voxels are cubes"
+rectangle 0 0 top_black.bmp
+works "an empty silhouette" cameras.txt top_black.bmp $box --voxels 8 --json
+grep -q '"voxels":0,"surface":0,"box":null}' out; say $? "leaves nothing"
+works "--help" --help
+grep -q -- '--voxels N' out; say $? "its options"
+
+refuses "no silhouette" 2 'CAMERAS and a SILHOUETTE' cameras.txt $box
+refuses "no box" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp
+refuses "a box of five numbers" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp --box=0,0,0,1,1
+refuses "a box inside out" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp --box=0,0,0,1,-1,1
+refuses "no voxels" 2 'voxels' cameras.txt top_mask.bmp $box --voxels 0
+refuses "too many voxels" 2 'voxels' cameras.txt top_mask.bmp $box --voxels 1025
+refuses "two things on standard output" 2 'only' cameras.txt top_mask.bmp $box --json -o -
+refuses "one camera twice" 1 'top_black.bmp: top_mask.bmp is of the same camera: top.png' cameras.txt top_mask.bmp top_black.bmp $box
+cp top_mask.bmp other.bmp
+refuses "a name of no camera" 1 'other.bmp: named after no camera' cameras.txt other.bmp side_mask.bmp $box
+refuses "an order that does not fit" 1 'cameras.txt: 3 cameras, but 1 silhouette' cameras.txt other.bmp $box
+refuses "no camera file" 1 'none.txt' none.txt top_mask.bmp $box
+echo 3 > short.txt
+refuses "a camera file that ends early" 1 'short.txt: camera 1 of 3: its name is missing' short.txt top_mask.bmp $box
+sed 's/ 1000$//' cameras.txt > fewer.txt
+refuses "a number too few" 1 'fewer.txt: camera 1 of 3 .top.png.: expected are 21 numbers' fewer.txt top_mask.bmp $box
+(cat cameras.txt; echo more) > more.txt
+refuses "more behind the end" 1 'more.txt: more stands behind' more.txt top_mask.bmp $box
+refuses "text for a camera file" 1 'first line is to say how many' top_mask.bmp top_mask.bmp $box
+refuses "no picture" 1 'top_text' cameras.txt top_text $box
+refuses "a folder that is not there" 1 'nowhere/m.ply' cameras.txt top_mask.bmp $box --voxels 8 -o nowhere/m.ply
+
+if [ -d "$data/carve/dinoSparseRing" ]; then
+    works "a dinosaur" "$data/carve/dinoSparseRing/dinoSR_par.txt" "$data"/carve/dinoSparseRing/*_sil.bmp --box=-0.07,-0.03,-0.07,0.02,0.08,0.025 --json
+    grep -q '"counts":\[90,110,95\],"views":16,"matched":"name","voxels":12[0-9]*,' out; say $? "its voxels"
+else
+    echo "ok - a dinosaur # SKIP no data (IRIS_DATA)"
+fi
