@@ -32,24 +32,56 @@ typedef struct {
     iris_q32 a, b, d;
 } slopes;
 
-/* The polynomial at p, which is within LIMIT, and its slopes there. */
-static iris_vec2 bend(slopes *slope, const iris_lens *lens, iris_vec2 p)
+/* What a place's distance and direction from the center make of the terms. */
+typedef struct {
+    iris_q32 x, y, xx, xy, yy, square;
+} terms;
+
+static terms terms_of(const iris_lens *lens, iris_vec2 p)
 {
-    const iris_q32 x = limited(sum(p.x, -limited(lens->center.x))),
-                   y = limited(sum(p.y, -limited(lens->center.y)));
-    const iris_q32 xx = mul(x, x), xy = mul(x, y), yy = mul(y, y), square = xx + yy;
-    const iris_q32 radial = mul(sum(mul(sum(mul(lens->k3, square), lens->k2), square), lens->k1), square);
-    const iris_q32 k3_part = mul(lens->k3, square);
-    const iris_q32 growth = sum(mul(sum(sum(twice(k3_part), k3_part), twice(lens->k2)), square), lens->k1);
-    const iris_q32 by_y = mul(lens->p1, y), by_x = mul(lens->p2, x),
-                   mixed = sum(mul(lens->p1, x), mul(lens->p2, y));
-    const iris_q32 along_x = sum(mul(lens->p1, twice(xy)), mul(lens->p2, square + 2 * xx));
-    const iris_q32 along_y = sum(mul(lens->p1, square + 2 * yy), mul(lens->p2, twice(xy)));
-    const iris_q32 stretch = sum(IRIS_Q32_ONE, radial);
-    slope->a = sum(sum(stretch, twice(mul(xx, growth))), twice(sum(by_y, sum(by_x, twice(by_x)))));
-    slope->b = twice(sum(mul(xy, growth), mixed));
-    slope->d = sum(sum(stretch, twice(mul(yy, growth))), twice(sum(by_x, sum(by_y, twice(by_y)))));
-    return (iris_vec2){sum(p.x, sum(mul(x, radial), along_x)), sum(p.y, sum(mul(y, radial), along_y))};
+    terms t = {.x = limited(sum(p.x, -limited(lens->center.x))),
+               .y = limited(sum(p.y, -limited(lens->center.y)))};
+    t.xx = mul(t.x, t.x);
+    t.xy = mul(t.x, t.y);
+    t.yy = mul(t.y, t.y);
+    t.square = t.xx + t.yy;
+    return t;
+}
+
+/* k1 r^2 + k2 r^4 + k3 r^6 */
+static iris_q32 radial_of(const iris_lens *lens, iris_q32 square)
+{
+    return mul(sum(mul(sum(mul(lens->k3, square), lens->k2), square), lens->k1), square);
+}
+
+/* Its slope: k1 + 2 k2 r^2 + 3 k3 r^4 */
+static iris_q32 growth_of(const iris_lens *lens, iris_q32 square)
+{
+    iris_q32 k3_part = mul(lens->k3, square);
+    return sum(mul(sum(sum(twice(k3_part), k3_part), twice(lens->k2)), square), lens->k1);
+}
+
+/* The polynomial at p, which is within LIMIT. */
+static iris_vec2 bend(const iris_lens *lens, iris_vec2 p)
+{
+    const terms t = terms_of(lens, p);
+    const iris_q32 radial = radial_of(lens, t.square);
+    const iris_q32 along_x = sum(mul(lens->p1, twice(t.xy)), mul(lens->p2, t.square + 2 * t.xx));
+    const iris_q32 along_y = sum(mul(lens->p1, t.square + 2 * t.yy), mul(lens->p2, twice(t.xy)));
+    return (iris_vec2){sum(p.x, sum(mul(t.x, radial), along_x)), sum(p.y, sum(mul(t.y, radial), along_y))};
+}
+
+/* Its slopes there. */
+static slopes slopes_at(const iris_lens *lens, iris_vec2 p)
+{
+    const terms t = terms_of(lens, p);
+    const iris_q32 stretch = sum(IRIS_Q32_ONE, radial_of(lens, t.square)), growth = growth_of(lens, t.square);
+    const iris_q32 by_y = mul(lens->p1, t.y), by_x = mul(lens->p2, t.x);
+    slopes s;
+    s.a = sum(sum(stretch, twice(mul(t.xx, growth))), twice(sum(by_y, sum(by_x, twice(by_x)))));
+    s.b = twice(sum(mul(t.xy, growth), sum(mul(lens->p1, t.x), mul(lens->p2, t.y))));
+    s.d = sum(sum(stretch, twice(mul(t.yy, growth))), twice(sum(by_x, sum(by_y, twice(by_y)))));
+    return s;
 }
 
 /* 2^-32 of the determinant; not above 0 behind the fold. */
@@ -73,8 +105,8 @@ static iris_q32 newton(iris_q32 d, iris_q32 ex, iris_q32 b, iris_q32 ey, iris_q3
 /* The place that the polynomial brings to `wanted`. */
 static iris_status solve(iris_vec2 *found, const iris_lens *lens, iris_vec2 wanted)
 {
-    slopes s, next;
-    iris_vec2 at = {limited(wanted.x), limited(wanted.y)}, value = bend(&s, lens, at);
+    iris_vec2 at = {limited(wanted.x), limited(wanted.y)}, value = bend(lens, at);
+    slopes s = slopes_at(lens, at);
     for (int round = 0; round < ROUNDS; round++) {
         iris_vec2 off = {sum(wanted.x, -limited(value.x)), sum(wanted.y, -limited(value.y))};
         *found = at;
@@ -88,9 +120,10 @@ static iris_status solve(iris_vec2 *found, const iris_lens *lens, iris_vec2 want
         iris_vec2 step = {newton(s.d, off.x, s.b, off.y, by), newton(s.a, off.y, s.b, off.x, by)};
         for (int halves = 0; halves < 8; halves++, step.x /= 2, step.y /= 2) {
             iris_vec2 to = {limited(sum(at.x, step.x)), limited(sum(at.y, step.y))};
-            value = bend(&next, lens, to);
+            slopes next = slopes_at(lens, to);
             if (halves == 7 || is_upright(&next)) {
                 at = to;
+                value = bend(lens, at);
                 s = next;
                 break;
             }
@@ -102,9 +135,8 @@ static iris_status solve(iris_vec2 *found, const iris_lens *lens, iris_vec2 want
 iris_vec2 iris_lens_bend(const iris_lens *lens, iris_vec2 p)
 {
     iris_vec2 seen;
-    slopes s;
     if (lens->direction == IRIS_LENS_BENDS) {
-        return bend(&s, lens, (iris_vec2){limited(p.x), limited(p.y)});
+        return bend(lens, (iris_vec2){limited(p.x), limited(p.y)});
     }
     (void)solve(&seen, lens, p);
     return seen;
@@ -112,9 +144,8 @@ iris_vec2 iris_lens_bend(const iris_lens *lens, iris_vec2 p)
 
 iris_status iris_lens_straighten(iris_vec2 *straight, const iris_lens *lens, iris_vec2 p)
 {
-    slopes s;
     if (lens->direction == IRIS_LENS_CORRECTS) {
-        *straight = bend(&s, lens, (iris_vec2){limited(p.x), limited(p.y)});
+        *straight = bend(lens, (iris_vec2){limited(p.x), limited(p.y)});
         return IRIS_OK;
     }
     return solve(straight, lens, p);
