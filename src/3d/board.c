@@ -1,5 +1,7 @@
 #include "iris/3d/calib_board.h"
 
+#include <string.h>
+
 #include "board_parts.h"
 #include "iris/fixed.h"
 
@@ -232,10 +234,9 @@ iris_status iris_board_calibrate(iris_board_fit *fit, iris_board_place *places, 
         iris_scratch_release(scratch, mark);
         return IRIS_ERR_SCRATCH;
     }
-    iris_board_fit made = {.flaw = IRIS_BOARD_TOO_FEW};
+    memset(fit, 0, sizeof *fit);
     choose(&of, config->model);
-    made.flaw = calibrate(&made, places, &of, config->size);
-    *fit = made;
+    fit->flaw = calibrate(fit, places, &of, config->size);
     iris_scratch_release(scratch, mark);
-    return made.flaw == IRIS_BOARD_FINE ? IRIS_OK : IRIS_ERR_DATA;
+    return fit->flaw == IRIS_BOARD_FINE ? IRIS_OK : IRIS_ERR_DATA;
 }
