@@ -2,8 +2,8 @@
 #ifndef IRIS_BOARD_PARTS_H
 #define IRIS_BOARD_PARTS_H
 
+#include "../camera/null_vector.h"
 #include "iris/3d/calib_board.h"
-#include "null_vector.h"
 
 #define IRIS_BOARD_POSE     6 /* unknowns of a view */
 #define IRIS_BOARD_UNKNOWNS (IRIS_BOARD_POSE + IRIS_BOARD_PARAMETERS)

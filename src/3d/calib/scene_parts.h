@@ -2,8 +2,8 @@
 #ifndef IRIS_SCENE_PARTS_H
 #define IRIS_SCENE_PARTS_H
 
+#include "../camera/null_vector.h"
 #include "iris/3d/calib_scene.h"
-#include "null_vector.h"
 
 #define IRIS_SCENE_NUMBERS 12
 #define IRIS_SCENE_FAR     ((iris_q32)1 << 42) /* 1024 times the spread: farther off than any point that counts */

@@ -1,7 +1,7 @@
 /* Carving by silhouettes: blocks of voxels at once where a view shows all of a block alike. */
 #include "iris/3d/carve.h"
 
-#include "../foundation/views.h"
+#include "../../foundation/views.h"
 #include "iris/integral.h"
 #include "voxel_parts.h"
 

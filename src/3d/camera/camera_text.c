@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../foundation/text_lines.h"
+#include "../../foundation/text_lines.h"
 
 #define NUMBERS 12
 #define LINES   10 /* that count */

@@ -5,7 +5,7 @@
 #ifndef IRIS_NULL_VECTOR_H
 #define IRIS_NULL_VECTOR_H
 
-#include "../foundation/triangle.h"
+#include "../../foundation/triangle.h"
 
 #define IRIS_NULL_VECTOR_MAX 12 /* unknowns */
 
