@@ -251,7 +251,7 @@ WINE_SCRIPTS := tests/tool.sh tests/tool_blobs.sh tests/tool_lock.sh tests/tool_
 $(OUT)/wine-iris: $(TOOL)
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(RUNNER)' '$(abspath $(TOOL))' > $@ && chmod +x $@
 verify-windows: all $(OUT)/wine-iris
-	@mkdir -p "$$WINEPREFIX" && { $(dir $(RUNNER))wineserver64 -p300 || true; }
+	@mkdir -p "$$WINEPREFIX" && { $(dir $(WINE))wineserver64 -p300 || true; }
 	+@$(MAKE) -s verify-host
 	@RUNNER= IRIS=$(OUT)/wine-iris NOT_HERE=tests/not_on_windows tests/programs $(WINE_SCRIPTS)
 .PHONY: verify-house verify-examples verify-scripts verify-windows
@@ -283,12 +283,14 @@ on_rig    = $(MAKE) -s CHECKED= CC=aarch64-linux-gnu-gcc CROSS_COMPILE=aarch64-l
             PKG_CONFIG="env PKG_CONFIG_SYSROOT_DIR=$(RIG)/root PKG_CONFIG_LIBDIR=$(1)$(RIG)/root/usr/lib/aarch64-linux-gnu/pkgconfig pkg-config"
 ON_RIG   := $(call on_rig)
 ON_RIG_2 := $(call on_rig,$(RIG)/root/opt/gpiod2/lib/pkgconfig:)
-# Windows. The first program that Wine runs here makes a folder in the cache, which takes a while.
+# Windows. The first program that Wine runs here makes a folder in the cache, which takes a while. Wine wants some addresses
+# for itself: where a system gives them out at random, one start in some thousands finds one taken and ends, saying nothing.
 WIN_ROOT := $(CACHE)/windows
 WINE     := /usr/lib/wine/wine64
+FIXED_ADDRESSES := $(if $(shell setarch -R true 2> /dev/null && echo yes),setarch -R )
 WIN      := env WINEPREFIX=$(CACHE)/wine WINEDEBUG=-all WINEDLLOVERRIDES="winemenubuilder.exe,winedbg.exe,mscoree,mshtml=d" \
             $(MAKE) -s CHECKED= CC=x86_64-w64-mingw32-gcc CROSS_COMPILE=x86_64-w64-mingw32- SYSROOT=$(WIN_ROOT) OS=none PORT=sse \
-            RUNNER=$(WINE)
+            RUNNER="$(FIXED_ADDRESSES)$(WINE)"
 # Firmware is small: optimized as a whole, without what moves and copies code for speed. Fat objects serve all other tools.
 BARE     := $(MAKE) -s CHECKED= CC=arm-none-eabi-gcc CROSS_COMPILE=arm-none-eabi- OS=none
 CORTEX   := $(BARE) OPT="-Os -fno-tree-loop-im -fno-tree-loop-optimize -fno-move-loop-invariants -fno-reorder-blocks -fipa-pta \
