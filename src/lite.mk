@@ -1,20 +1,18 @@
 # IRIS-Lite, the subset for microcontrollers: the sources of `make PROFILE=lite`, by concept. The headers are those of the
 # whole library; what they declare and Lite does not have is listed below, and a program that calls it does not link.
 
-LITE_SRC := $(addprefix src/foundation/,$(addsuffix .c, \
-    status image scratch fixed border views rows \
-    color hsl hsl_range nv12 bayer \
-    quadtree command \
-    kernel kernel_camera kernel_color kernel_morph kernel_taps)) \
-  $(addprefix src/xt/,$(addsuffix .c, \
-    threshold otsu histogram_gray \
-    follow follow_full follow_signature follow_floor follow_runs follow_choose follow_spans follow_bend follow_shape follow_lane \
-    regress_rows steer \
-    blob blob_mask blob_shape blob_table \
-    lock lock_look lock_choose lock_teach signature signature_cells signature_table signature_teach signature_thin \
-    convolve convolve_rows rank_one \
-    morph morph_mask morph_near morph_step \
-    hough hough_peaks hough_clip))
+of = $(patsubst %,src/$(1)/%.c,$(2))
+LITE_SRC := \
+  $(call of,foundation,status image scratch fixed border views rows color hsl hsl_range nv12 bayer quadtree command \
+                       kernel kernel_camera kernel_color kernel_morph kernel_taps) \
+  $(call of,xt/mask,threshold otsu morph morph_mask morph_near morph_step) \
+  $(call of,xt/tone,histogram_gray) \
+  $(call of,xt/follow,follow follow_full follow_signature follow_floor follow_runs follow_choose follow_spans follow_bend \
+                      follow_shape follow_lane steer) \
+  $(call of,xt/line,regress_rows hough hough_peaks hough_clip) \
+  $(call of,xt/blob,blob blob_mask blob_shape blob_table lock lock_look lock_choose lock_teach \
+                    signature signature_cells signature_table signature_teach signature_thin) \
+  $(call of,xt/filter,convolve convolve_rows rank_one)
 
 # A port with vectors leans on any of the plain bodies, where a row ends. The linker takes what is called.
 LITE_SRC += $(if $(filter generic,$(PORT)),,$(filter-out $(LITE_SRC),$(wildcard src/foundation/kernel*.c)))

@@ -1,7 +1,7 @@
 #include "iris/3d/remap.h"
 
 #include "../../foundation/views.h"
-#include "../../xt/runs.h"
+#include "../../xt/floor/runs.h"
 
 #define JOIN_BITS 3    /* 2^JOIN_BITS steps are a run at most */
 #define BENT      1024 /* 1/64 of a pixel: so far off is a run at its quarters at most */
