@@ -14,8 +14,8 @@
 #include "peers.h"
 
 static IRIS_SCRATCH_BUFFER(memory, 128u << 20);
-static const peer_case *const modules[] = {peer_color, peer_filter, peer_edge,
-                                           peer_mask,  peer_place,  peer_file};
+static const peer_case *const modules[] = {peer_color, peer_filter, peer_edge, peer_mask,
+                                           peer_place, peer_space,  peer_file};
 static const peer_case *now;
 iris_image peer_result;
 

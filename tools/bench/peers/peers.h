@@ -13,7 +13,8 @@ typedef struct {
 } peer_case;
 
 /* Each ends with a null name. */
-extern const peer_case peer_color[], peer_filter[], peer_edge[], peer_mask[], peer_place[], peer_file[];
+extern const peer_case peer_color[], peer_filter[], peer_edge[], peer_mask[], peer_place[], peer_space[],
+    peer_file[];
 
 /* What goes back to be compared: a picture, or numbers as the pixels of one (IRIS_GRAY_U32). */
 extern iris_image peer_result;

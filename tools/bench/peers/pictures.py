@@ -26,6 +26,20 @@ def tape_on_gravel(gravel, w, h):
     return np.clip(lit + noise, 0, 255).astype(np.uint8), tape
 
 
+def depth(w, h):
+    """Disparities of a scene in pixels: a floor that comes nearer, and a hill on it."""
+    x, y = np.meshgrid(np.arange(w) / w, np.arange(h) / h)
+    return (6 + 30 * y + 16 * np.exp(-((x - .6) ** 2 + (y - .4) ** 2) / .02)).astype(np.float32)
+
+
+def pair(right, w, h):
+    """What the left camera sees of that scene when the right one sees this picture."""
+    x, y = np.meshgrid(np.arange(w, dtype=np.float32), np.arange(h, dtype=np.float32))
+    left = cv2.remap(right, x - depth(w, h), y, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    noise = np.random.default_rng(2).normal(0, 1.5, (2, h, w))
+    return [np.clip(side + n, 0, 255).round().astype(np.uint8) for side, n in zip((left, right), noise)]
+
+
 def make(folder, w, h):
     from skimage import data
     coffee = fit(data.coffee()[:, :, ::-1], w, h)
@@ -46,9 +60,13 @@ def make(folder, w, h):
     yuyv, nv12 = np.zeros((h, w, 3), np.uint8), np.zeros((h, w, 3), np.uint8)
     yuyv.ravel()[:pairs.size] = pairs.ravel()
     nv12.ravel()[:chroma.size] = chroma.ravel()
+    left, right = pair(cv2.addWeighted(gray, .6, fit(data.gravel(), w, h), .4, 0), w, h)
+    seen = np.zeros((h, w, 3), np.uint8)
+    seen.ravel()[:w * h] = right.ravel()
     os.makedirs(folder, exist_ok=True)
     pictures = {"coffee.gray": gray, "smooth_coins.gray": smooth, "coffee.color": coffee, "line.color": line,
-                "yuyv.color": yuyv, "nv12.gray": planes[:w * h], "nv12.color": nv12}
+                "yuyv.color": yuyv, "nv12.gray": planes[:w * h], "nv12.color": nv12,
+                "pair.gray": left, "pair.color": seen}
     for name, rows in pictures.items():
         rows.tofile(os.path.join(folder, name))
     for name, rows in masks.items():

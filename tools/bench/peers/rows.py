@@ -148,6 +148,19 @@ def file_of(ours, theirs, p):
     return same, "our file holds the picture" if same else "our file holds another picture"
 
 
+def disparities(most, share):
+    """Where both have a match, and the pixel is seen by both, they are within `most` pixels in so large a share."""
+    def agree(ours, theirs, p):
+        seen = np.zeros((p.h, p.w), bool)
+        seen[8:-8, 72:-8] = True
+        seen &= (theirs > 0) & (ours > 0)
+        apart = np.abs(ours / 256 - theirs / 16)[seen]
+        good = float(np.mean(apart <= most))
+        return good >= share and seen.mean() > .5, "%.2f %% within %g pixels, of %.0f %% that both matched" % (
+            100 * good, most, 100 * seen.mean())
+    return agree
+
+
 # --- colors ---
 
 @row("BGR to gray", 2.3, within(1), color="coffee")
@@ -544,6 +557,64 @@ def _(p):
 def _(p):
     to, matrix = np.empty_like(p.gray), floor(p)
     return lambda: cv2.warpPerspective(p.gray, matrix, (p.w, p.h), to, cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP)
+
+
+# --- space ---
+
+def right_of(p):
+    return np.ascontiguousarray(p.color.ravel()[:p.w * p.h].reshape(p.h, p.w))
+
+
+def block_matcher():
+    matcher = cv2.StereoBM_create(64, 15)
+    matcher.setPreFilterCap(31)
+    return matcher
+
+
+@row("StereoBM 15x15, 64 disparities, plain", 2.2, disparities(1, 0.97), gray="pair", color="pair")
+def _(p):
+    matcher, right, to = block_matcher(), right_of(p), np.empty((p.h, p.w), np.int16)
+    matcher.setTextureThreshold(0)
+    matcher.setUniquenessRatio(0)
+    return lambda: matcher.compute(p.gray, right, to)
+
+
+@row("StereoBM 15x15, 64 disparities, default", 3.5, disparities(1, 0.97), gray="pair", color="pair")
+def _(p):
+    matcher, right, to = block_matcher(), right_of(p), np.empty((p.h, p.w), np.int16)
+    return lambda: matcher.compute(p.gray, right, to)
+
+
+@row("StereoSGBM, 64 disparities", 2, disparities(1, 0.97), gray="pair", color="pair")
+def _(p):
+    right, to = right_of(p), np.empty((p.h, p.w), np.int16)
+    matcher = cv2.StereoSGBM_create(0, 64, 3, 8 * 9, 32 * 9, 1)
+    return lambda: matcher.compute(p.gray, right, to)
+
+
+def lens(p):
+    """K and the distortion of the camera in space.c."""
+    return np.array([[.8 * p.w, 0, p.w / 2], [0, .8 * p.w, p.h / 2], [0, 0, 1]]), np.array([-.3, 0, 0, 0, 0])
+
+
+def remaps(name, goal, **picture):
+    @row(name, goal, within(6, 0.99), **picture)
+    def _(p):
+        source = p.gray if picture.get("gray") else p.color
+        k, bends = lens(p)
+        to = np.empty_like(source)
+        places, weights = cv2.initUndistortRectifyMap(k, bends, None, k, (p.w, p.h), cv2.CV_16SC2)
+        return lambda: cv2.remap(source, places, weights, cv2.INTER_LINEAR, to)
+
+
+remaps("remap bilinear, fixed-point map", 2.3, gray="coffee")
+remaps("remap of color", 0, color="coffee")
+
+
+@row("undistort, its map made anew", 2, within(6, 0.99), gray="coffee")
+def _(p):
+    to, (k, bends) = np.empty_like(p.gray), lens(p)
+    return lambda: cv2.undistort(p.gray, k, bends, to, k)
 
 
 # --- files ---
