@@ -16,10 +16,12 @@ uint32_t iris_text_check(uint32_t check, const int64_t *numbers, int count)
     return check;
 }
 
-char *iris_text_put_bytes(char *at, const char *text, size_t bytes)
+char *iris_text_put_word(char *at, const char *word)
 {
-    memcpy(at, text, bytes);
-    return at + bytes;
+    while (*word) {
+        *at++ = *word++;
+    }
+    return at;
 }
 
 char *iris_text_put_number(char *at, int64_t value, char behind)
@@ -131,7 +133,7 @@ int iris_text_take_check(uint32_t *check, iris_text_lines *r)
 
 char *iris_text_put_check(char *at, uint32_t check)
 {
-    at = iris_text_put_bytes(at, "check ", sizeof "check " - 1);
+    at = iris_text_put_word(at, "check ");
     for (int shift = 28; shift >= 0; shift -= 4) {
         *at++ = hex[check >> shift & 15];
     }
@@ -185,4 +187,55 @@ int iris_text_take_q32(int64_t *q32, iris_text_lines *r)
     *q32 = negative ? -(int64_t)size : (int64_t)size;
     skip_spaces(r);
     return 1;
+}
+
+iris_status iris_text_finish(char *text, size_t capacity, size_t *length, const iris_text_made *of)
+{
+    char *at = iris_text_put_check(of->at, of->check);
+    *at++ = 0;
+    size_t bytes = (size_t)(at - of->made);
+    if (bytes > capacity) {
+        return IRIS_ERR_RANGE;
+    }
+    memcpy(text, of->made, bytes);
+    *length = bytes - 1;
+    return IRIS_OK;
+}
+
+/* Line i of those that count: the first one has the kind and the version, the last one the check. */
+static int take_line(void *content, int64_t *version, uint32_t *check, const iris_text_form *form,
+                     iris_text_lines *r, int i)
+{
+    if (i == 0) {
+        return iris_text_take_word(r, "iris") && iris_text_take_word(r, form->kind) &&
+               iris_text_take_number(version, r) && *version > 0;
+    }
+    return i <= form->lines ? form->take(content, r, i - 1) : iris_text_take_check(check, r);
+}
+
+iris_status iris_text_read(void *content, iris_text_source *source, const iris_text_form *form)
+{
+    const char *text = source->text;
+    size_t bytes = source->bytes > 0 && text[source->bytes - 1] == 0 ? source->bytes - 1 : source->bytes;
+    iris_text_lines r = {.next = text, .text_end = bytes > 0 ? text + bytes : text};
+    int64_t version = 1;
+    iris_status status = IRIS_OK;
+    for (int i = 0; i < form->lines + 2 && status == IRIS_OK; i++) {
+        if (!iris_text_next_line(&r)) {
+            r.line += r.line < INT32_MAX;
+            status = IRIS_ERR_TRUNCATED;
+        } else if (!take_line(content, &version, &source->check, form, &r, i)) {
+            status = IRIS_ERR_DATA;
+        } else if (version > 1) {
+            status = IRIS_ERR_UNSUPPORTED;
+        } else if (r.at < r.end) {
+            status = IRIS_ERR_DATA;
+        }
+    }
+    source->line = r.line;
+    if (status == IRIS_OK && iris_text_next_line(&r)) {
+        source->line = r.line;
+        status = IRIS_ERR_DATA;
+    }
+    return status;
 }

@@ -5,11 +5,12 @@
 
 #include "../../foundation/text_lines.h"
 
-#define NUMBERS 12
-#define LINES   10 /* that count */
-#define LIMIT   (1000000000 * IRIS_Q32_ONE)
+#define NUMBERS   12
+#define LINES     8 /* between the first one and the check */
+#define LENS_LINE 4 /* of these, from 0 */
+#define LIMIT     (1000000000 * IRIS_Q32_ONE)
 
-/* The lines of numbers between the size and the check, and how many each has. */
+/* The lines of numbers behind the size, and how many each has. */
 static const struct {
     const char *word;
     int count;
@@ -50,14 +51,6 @@ static uint32_t check_of(const iris_camera_model *model, const iris_q32 numbers[
     return iris_text_check(iris_text_check(IRIS_TEXT_CHECK, others, 3), numbers, NUMBERS);
 }
 
-static char *put_text(char *at, const char *text)
-{
-    while (*text) {
-        *at++ = *text++;
-    }
-    return at;
-}
-
 iris_status iris_camera_write_text(char *text, size_t capacity, size_t *length,
                                    const iris_camera_model *model)
 {
@@ -71,104 +64,70 @@ iris_status iris_camera_write_text(char *text, size_t capacity, size_t *length,
     if (!is_sound(model, numbers)) {
         return IRIS_ERR_RANGE;
     }
-    at = put_text(at, "iris camera 1\nsize ");
+    at = iris_text_put_word(at, "iris camera 1\nsize ");
     at = iris_text_put_number(at, model->size.w, ' ');
     at = iris_text_put_number(at, model->size.h, '\n');
     for (int i = 0; i < 6; i++) {
-        if (i == 3) {
-            at = put_text(at, model->lens.direction == IRIS_LENS_BENDS ? "lens bends\n" : "lens corrects\n");
+        if (i == LENS_LINE - 1) {
+            at = iris_text_put_word(at, model->lens.direction == IRIS_LENS_BENDS ? "lens bends\n"
+                                                                                 : "lens corrects\n");
         }
-        at = put_text(at, rows[i].word);
+        at = iris_text_put_word(at, rows[i].word);
         *at++ = ' ';
         for (int k = 0; k < rows[i].count; k++) {
             at = iris_text_put_q32(at, numbers[next++], k == rows[i].count - 1 ? '\n' : ' ');
         }
     }
-    at = iris_text_put_check(at, check_of(model, numbers));
-    *at++ = 0;
-    size_t bytes = (size_t)(at - made);
-    if (bytes > capacity) {
-        return IRIS_ERR_RANGE;
-    }
-    memcpy(text, made, bytes);
-    *length = bytes - 1;
-    return IRIS_OK;
+    const iris_text_made whole = {made, at, check_of(model, numbers)};
+    return iris_text_finish(text, capacity, length, &whole);
 }
 
-/* What the lines said so far. */
 typedef struct {
-    int64_t version, w, h;
+    int64_t w, h;
     int corrects;
     iris_q32 numbers[NUMBERS];
     int count;
-    uint32_t check;
 } content;
 
-/* Line `i` of those that count. */
-static int take_line(content *c, iris_text_lines *r, int i)
+static int take_line(void *user, iris_text_lines *r, int i)
 {
-    switch (i) {
-    case 0:
-        return iris_text_take_word(r, "iris") && iris_text_take_word(r, "camera") &&
-               iris_text_take_number(&c->version, r);
-    case 1:
+    content *c = user;
+    if (i == 0) {
         return iris_text_take_word(r, "size") && iris_text_take_number(&c->w, r) &&
                iris_text_take_number(&c->h, r) && c->w > 0 && c->w <= IRIS_SIDE_MAX && c->h > 0 &&
                c->h <= IRIS_SIDE_MAX;
-    case 5:
+    }
+    if (i == LENS_LINE) {
         if (!iris_text_take_word(r, "lens")) {
             return 0;
         }
         c->corrects = iris_text_take_word(r, "corrects");
         return c->corrects || iris_text_take_word(r, "bends");
-    case 9:
-        return iris_text_take_check(&c->check, r);
-    default: {
-        int row = i < 5 ? i - 2 : i - 3, good = iris_text_take_word(r, rows[row].word);
-        for (int k = 0; k < rows[row].count && good; k++) {
-            good = iris_text_take_q32(&c->numbers[c->count++], r);
-        }
-        return good;
     }
+    int row = i < LENS_LINE ? i - 1 : i - 2, good = iris_text_take_word(r, rows[row].word);
+    for (int k = 0; k < rows[row].count && good; k++) {
+        good = iris_text_take_q32(&c->numbers[c->count++], r);
     }
-}
-
-static iris_status read(iris_camera_model *model, iris_text_lines *r)
-{
-    content c = {.version = 1};
-    for (int i = 0; i < LINES; i++) {
-        if (!iris_text_next_line(r)) {
-            r->line += r->line < INT32_MAX;
-            return IRIS_ERR_TRUNCATED;
-        }
-        if (!take_line(&c, r, i) || c.version < 1 || (c.version == 1 && r->at < r->end)) {
-            return IRIS_ERR_DATA;
-        }
-        if (c.version > 1) {
-            return IRIS_ERR_UNSUPPORTED;
-        }
-    }
-    *model = model_of(c.numbers, (iris_size){(int32_t)c.w, (int32_t)c.h}, c.corrects);
-    return c.check == check_of(model, c.numbers) && is_sound(model, c.numbers) && !iris_text_next_line(r)
-               ? IRIS_OK
-               : IRIS_ERR_DATA;
+    return good;
 }
 
 iris_status iris_camera_read_text(iris_camera_model *model, int32_t *line, const char *text, size_t bytes)
 {
-    iris_camera_model made;
+    static const iris_text_form form = {"camera", LINES, take_line};
     if (!model || !line || (!text && bytes > 0)) {
         return IRIS_ERR_ARG;
     }
-    if (bytes > 0 && text[bytes - 1] == 0) {
-        bytes--;
+    content c = {.w = 0};
+    iris_text_source source = {.text = text, .bytes = bytes};
+    iris_status status = iris_text_read(&c, &source, &form);
+    const iris_camera_model made = model_of(c.numbers, (iris_size){(int32_t)c.w, (int32_t)c.h}, c.corrects);
+    if (status == IRIS_OK && (source.check != check_of(&made, c.numbers) || !is_sound(&made, c.numbers))) {
+        status = IRIS_ERR_DATA;
     }
-    iris_text_lines r = {.next = text, .text_end = bytes > 0 ? text + bytes : text};
-    iris_status status = read(&made, &r);
     if (status == IRIS_OK) {
         *model = made;
     } else {
-        *line = r.line;
+        *line = source.line;
     }
     return status;
 }

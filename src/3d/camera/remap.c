@@ -1,6 +1,5 @@
 #include "iris/3d/remap.h"
 
-#include "../../foundation/views.h"
 #include "../../xt/floor/runs.h"
 
 #define JOIN_BITS 3    /* 2^JOIN_BITS steps are a run at most */
@@ -127,8 +126,9 @@ static iris_run run_at(const map_row *row, int32_t column, int bits)
     return made;
 }
 
-static void draw_row(uint8_t *to, const iris_remap *remap, const iris_image *src, int32_t y)
+static void draw_row(uint8_t *to, const void *user, const iris_image *src, int32_t y)
 {
+    const iris_remap *remap = user;
     const int channels = src->format == IRIS_GRAY8 ? 1 : 3;
     const int step_bits = remap->step_bits;
     const int32_t columns = places_of(remap->size.w, step_bits), w = remap->size.w;
@@ -147,16 +147,9 @@ static void draw_row(uint8_t *to, const iris_remap *remap, const iris_image *src
     }
 }
 
-static iris_status check_source(const iris_image *src, const iris_remap *remap)
+static iris_run_picture picture_of(const iris_remap *remap)
 {
-    iris_status status = iris_image_check(src);
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (!iris_format_is_levels(src->format)) {
-        return IRIS_ERR_FORMAT;
-    }
-    return src->w != remap->source.w || src->h != remap->source.h ? IRIS_ERR_RANGE : IRIS_OK;
+    return (iris_run_picture){remap->size, remap->source, remap, draw_row};
 }
 
 iris_status iris_remap_draw(const iris_image *dst, const iris_image *src, const iris_remap *remap)
@@ -164,24 +157,8 @@ iris_status iris_remap_draw(const iris_image *dst, const iris_image *src, const 
     if (!dst || !src || !remap) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(dst);
-    status = status == IRIS_OK ? check_source(src, remap) : status;
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (dst->format != src->format) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != remap->size.w || dst->h != remap->size.h) {
-        return IRIS_ERR_RANGE;
-    }
-    if (iris_image_overlaps(dst, src)) {
-        return IRIS_ERR_ALIAS;
-    }
-    for (int32_t y = 0; y < dst->h; y++) {
-        draw_row(iris_image_row(dst, y), remap, src, y);
-    }
-    return IRIS_OK;
+    const iris_run_picture picture = picture_of(remap);
+    return iris_run_picture_draw(dst, src, &picture);
 }
 
 iris_status iris_remap_row(void *pixels, const iris_remap *remap, const iris_image *src, int32_t y)
@@ -189,12 +166,6 @@ iris_status iris_remap_row(void *pixels, const iris_remap *remap, const iris_ima
     if (!pixels || !remap || !src) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = check_source(src, remap);
-    if (status == IRIS_OK && (y < 0 || y >= remap->size.h)) {
-        status = IRIS_ERR_RANGE;
-    }
-    if (status == IRIS_OK) {
-        draw_row(pixels, remap, src, y);
-    }
-    return status;
+    const iris_run_picture picture = picture_of(remap);
+    return iris_run_picture_row(pixels, src, &picture, y);
 }

@@ -1,6 +1,5 @@
 #include "iris/xt/birdseye.h"
 
-#include "../../foundation/views.h"
 #include "floor_parts.h"
 #include "runs.h"
 
@@ -144,8 +143,9 @@ static int next_run(iris_run *to, walk *w)
     return 1;
 }
 
-static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_image *src, int32_t y)
+static void draw_row(uint8_t *to, const void *user, const iris_image *src, int32_t y)
 {
+    const iris_birdseye *birdseye = user;
     int channels = src->format == IRIS_GRAY8 ? 1 : 3;
     walk w = walk_of(birdseye, y);
     iris_run r;
@@ -155,16 +155,9 @@ static void draw_row(uint8_t *to, const iris_birdseye *birdseye, const iris_imag
     }
 }
 
-static iris_status check_source(const iris_image *src, const iris_birdseye *birdseye)
+static iris_run_picture picture_of(const iris_birdseye *birdseye)
 {
-    iris_status status = iris_image_check(src);
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (!iris_format_is_levels(src->format)) {
-        return IRIS_ERR_FORMAT;
-    }
-    return src->w != birdseye->source.w || src->h != birdseye->source.h ? IRIS_ERR_RANGE : IRIS_OK;
+    return (iris_run_picture){birdseye->window.size, birdseye->source, birdseye, draw_row};
 }
 
 iris_status iris_birdseye_draw(const iris_image *dst, const iris_image *src, const iris_birdseye *birdseye)
@@ -172,24 +165,8 @@ iris_status iris_birdseye_draw(const iris_image *dst, const iris_image *src, con
     if (!dst || !src || !birdseye) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(dst);
-    status = status == IRIS_OK ? check_source(src, birdseye) : status;
-    if (status != IRIS_OK) {
-        return status;
-    }
-    if (dst->format != src->format) {
-        return IRIS_ERR_FORMAT;
-    }
-    if (dst->w != birdseye->window.size.w || dst->h != birdseye->window.size.h) {
-        return IRIS_ERR_RANGE;
-    }
-    if (iris_image_overlaps(dst, src)) {
-        return IRIS_ERR_ALIAS;
-    }
-    for (int32_t y = 0; y < dst->h; y++) {
-        draw_row(iris_image_row(dst, y), birdseye, src, y);
-    }
-    return IRIS_OK;
+    const iris_run_picture picture = picture_of(birdseye);
+    return iris_run_picture_draw(dst, src, &picture);
 }
 
 iris_status iris_birdseye_row(void *pixels, const iris_birdseye *birdseye, const iris_image *src, int32_t y)
@@ -197,14 +174,8 @@ iris_status iris_birdseye_row(void *pixels, const iris_birdseye *birdseye, const
     if (!pixels || !birdseye || !src) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = check_source(src, birdseye);
-    if (status == IRIS_OK && (y < 0 || y >= birdseye->window.size.h)) {
-        status = IRIS_ERR_RANGE;
-    }
-    if (status == IRIS_OK) {
-        draw_row(pixels, birdseye, src, y);
-    }
-    return status;
+    const iris_run_picture picture = picture_of(birdseye);
+    return iris_run_picture_row(pixels, src, &picture, y);
 }
 
 iris_status iris_birdseye_places(iris_place *places, const iris_birdseye *birdseye, int32_t y)

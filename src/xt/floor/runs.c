@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../../foundation/kernel.h"
+#include "../../foundation/views.h"
 
 /* Pixels that are drawn at once: without looking for the picture's edge when it is not there. */
 #define PIECE 16
@@ -124,4 +125,52 @@ int iris_run_sees(iris_place at, iris_size source)
     uint32_t part;
     return sample_at(&whole, &next, &part, at.x_q16, source.w) &&
            sample_at(&whole, &next, &part, at.y_q16, source.h);
+}
+
+static iris_status check_source(const iris_image *src, iris_size size)
+{
+    iris_status status = iris_image_check(src);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (!iris_format_is_levels(src->format)) {
+        return IRIS_ERR_FORMAT;
+    }
+    return src->w != size.w || src->h != size.h ? IRIS_ERR_RANGE : IRIS_OK;
+}
+
+iris_status iris_run_picture_draw(const iris_image *dst, const iris_image *src,
+                                  const iris_run_picture *picture)
+{
+    iris_status status = iris_image_check(dst);
+    status = status == IRIS_OK ? check_source(src, picture->source) : status;
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (dst->format != src->format) {
+        return IRIS_ERR_FORMAT;
+    }
+    if (dst->w != picture->size.w || dst->h != picture->size.h) {
+        return IRIS_ERR_RANGE;
+    }
+    if (iris_image_overlaps(dst, src)) {
+        return IRIS_ERR_ALIAS;
+    }
+    for (int32_t y = 0; y < dst->h; y++) {
+        picture->row(iris_image_row(dst, y), picture->user, src, y);
+    }
+    return IRIS_OK;
+}
+
+iris_status iris_run_picture_row(void *pixels, const iris_image *src, const iris_run_picture *picture,
+                                 int32_t y)
+{
+    iris_status status = check_source(src, picture->source);
+    if (status == IRIS_OK && (y < 0 || y >= picture->size.h)) {
+        status = IRIS_ERR_RANGE;
+    }
+    if (status == IRIS_OK) {
+        picture->row(pixels, picture->user, src, y);
+    }
+    return status;
 }

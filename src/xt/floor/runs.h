@@ -5,6 +5,7 @@
 #define IRIS_XT_RUNS_H
 
 #include "iris/image.h"
+#include "iris/status.h"
 #include "iris/xt/floor.h"
 
 typedef struct {
@@ -22,5 +23,20 @@ int iris_run_sees(iris_place at, iris_size source);
 
 /* The run's n pixels of 1 or 3 channels from src, which has as many; what it does not see becomes `fill`. */
 void iris_run_draw(uint8_t *to, const iris_run *r, const iris_image *src, int channels, uint8_t fill);
+
+/* A picture that is drawn row by row from another one, of gray or color levels. */
+typedef struct {
+    iris_size size, source; /* its own, and the other one's */
+    const void *user;
+    void (*row)(uint8_t *to, const void *user, const iris_image *src, int32_t y); /* draws row y */
+} iris_run_picture;
+
+/* The whole picture. IRIS_ERR_ARG: invalid image; IRIS_ERR_FORMAT; IRIS_ERR_RANGE: of another size; IRIS_ERR_ALIAS. */
+iris_status iris_run_picture_draw(const iris_image *dst, const iris_image *src,
+                                  const iris_run_picture *picture);
+
+/* A row of it alone. The same errors, and IRIS_ERR_RANGE: y outside of the picture. */
+iris_status iris_run_picture_row(void *pixels, const iris_image *src, const iris_run_picture *picture,
+                                 int32_t y);
 
 #endif
