@@ -32,6 +32,46 @@ works "birdseye --json" birdseye --floor a.floor --window -101,190,101,1000 --sc
 grep -q '"width":101,"height":405,"kind":"gray","mm_per_pixel":2,"corner_x_mm":-100,"corner_y_mm":999}' out; say $? "--json"
 works "in a pipe" pipe "negative | birdseye --floor a.floor --window 0,190,10,210" ramp.pgm -o map.pgm
 
+# --- the same camera by its file and its mounting: focal length 160 / sqrt(2) = 113.137, principal point (80, 60) ---
+board() { # board K1 FILE : a camera file from five views through a lens
+    awk -v k="$1" 'BEGIN { for (v = 0; v < 5; v++) { a = 1.2566 * v; t = 0.5; c = cos(t); s = sin(t); p = cos(a); q = sin(a)
+        for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) {
+            x = 25 * i - 87.5; y = 25 * j - 62.5; along = p * x + q * y; across = q * x - p * y
+            u = p * along + q * across * c; w = q * along - p * across * c; z = 300 + across * s
+            u /= z; w /= z; d = 1 + k * (u * u + w * w); f = 160 / sqrt(2)
+            printf "%.9g %.9g\n", 80 + f * u * d, 60 + f * w * d > "view" v ".txt" } } }'
+    run calibrate board --board 8x6 --model none --image-size 161x121 --corners view?.txt -o "$2"
+}
+board 0 flat.camera
+works "floor --calib" floor --calib flat.camera --height 200 --tilt 45 -o mounted.floor
+grep -q "^the picture's middle sees: [+-]0 mm to the right, 200 mm ahead$" out; say $? "in words"
+works "birdseye of that floor" birdseye --floor mounted.floor --window -101,190,101,210 --scale 2 ramp.pgm -o map.pgm
+set -- $(tail -c 505 map.pgm | od -An -v -tu1 | tr -s ' \n' '  ')
+[ "$1" = 40 ] && [ "${51}" = 80 ] && [ "${101}" = 120 ]; say $? "its pixels: 40, 80, 120, not $1, ${51}, ${101}"
+works "birdseye --calib" birdseye --calib flat.camera --height 200 --tilt 45 --window -101,190,101,210 --scale 2 ramp.pgm -o map.pgm
+set -- $(tail -c 505 map.pgm | od -An -v -tu1 | tr -s ' \n' '  ')
+[ "$1" = 40 ] && [ "${51}" = 80 ] && [ "${101}" = 120 ]; say $? "its pixels: 40, 80, 120, not $1, ${51}, ${101}"
+works "floor --calib --json" floor --calib flat.camera --height 200 --tilt 45 --ahead 50 --right -7 --json
+grep -Eq '"output":null,"width":161,"height":121,"near_mm":\[-7,[0-9.]*\],"middle_mm":\[-7,250\],"lens_px":0}$' out; say $? "--json of a mounting"
+works "a level camera by --calib" floor --calib flat.camera --height 200 --tilt 0 --json
+grep -q '"middle_mm":null' out; say $? "its middle is on the horizon"
+board -0.3 bent.camera
+run floor --calib bent.camera --height 200 --tilt 45 -o bent.floor
+[ $code -eq 0 ] && grep -q 'bent.camera: warning: the lens bends by up to [0-9.]* pixels: .* after iris undistort' err; say $? "a lens that bends is told"
+# What is 40 pixels beside the axis without it, 0.354 focal lengths, is at 0.354 (1 - 0.3 * 0.125) = 0.340 through it: column 118.5.
+works "birdseye --calib through a lens" birdseye --calib bent.camera --height 200 --tilt 45 --window -101,199,101,201 --scale 2 ramp.pgm -o map.pgm
+set -- $(tail -c 101 map.pgm | od -An -v -tu1 | tr -s ' \n' '  ')
+[ "${51}" = 80 ] && [ "${101}" -ge 118 ] && [ "${101}" -le 119 ]; say $? "its pixels: 80, 118.5, not ${51}, ${101}"
+for wrong in "--calib flat.camera" "--calib flat.camera --height 200" "--height 200 --tilt 45" "--calib flat.camera --height 0 --tilt 45" \
+    "--calib flat.camera --height 200 --tilt 91" "--calib flat.camera --height x --tilt 45" "--calib flat.camera --height 200 --tilt 45 --pan 200" \
+    "--points marks.txt --size 161x121 --tilt 45"; do
+    # shellcheck disable=SC2086
+    refuses "floor $wrong" 2 '^iris floor: ' floor $wrong
+done
+refuses "floor --calib with --size" 2 "without --size" floor --calib flat.camera --height 200 --tilt 45 --size 161x121
+refuses "floor of a camera that is none" 1 "marks.txt: line 2: not a camera file" floor --calib marks.txt --height 200 --tilt 45
+refuses "birdseye --floor with --calib" 2 "floor: not together" birdseye --floor a.floor --calib flat.camera --window 0,190,10,210 ramp.pgm -o map.pgm
+
 # Tape of 20 mm that runs straight ahead, 40 mm to the right.
 awk 'BEGIN { printf "P5 161 121 255\n"
     for (y = 0; y < 121; y++) for (x = 0; x < 161; x++) {
@@ -166,7 +206,7 @@ printf '%s\n' '120 60 -100 200' '40 60 100 200' '48 28 -100 300' '112 28 100 300
 refuses "two interchanged" 1 "may be interchanged" floor --points bow.txt --size 161x121
 { printf 'P5\n160 120\n255\n'; tail -c 19200 ramp.pgm; } > small.pgm
 refuses "another size" 1 "160x120 pixels, but the floor file was made for pictures of 161x121" birdseye --floor a.floor --window 0,1,2,3 small.pgm -o x.pgm
-refuses "no floor" 2 "floor FLOOR is needed" birdseye --window 0,1,2,3 ramp.pgm -o x.pgm
+refuses "no floor" 2 "floor FLOOR, or --calib, --height, and --tilt, is needed" birdseye --window 0,1,2,3 ramp.pgm -o x.pgm
 refuses "no window" 2 "window x0,y0,x1,y1 is needed" birdseye --floor a.floor ramp.pgm -o x.pgm
 refuses "--window" 2 "left below right and near below far, not '0,3,2,1'" birdseye --floor a.floor --window 0,3,2,1 ramp.pgm -o x.pgm
 refuses "too large" 2 "pixels at this --scale" birdseye --floor a.floor --window -9000,0,9000,9000 --scale 0.1 ramp.pgm -o x.pgm

@@ -7,15 +7,19 @@
 #include "complain.h"
 #include "file_write.h"
 #include "floor_file.h"
+#include "floor_mounting.h"
 #include "frame_reader.h"
 #include "json.h"
 #include "one_line.h"
 
 static const char help[] =
-    "usage: iris floor --points FILE (--size WxH | --image IN) [--json] [-o FLOOR]\n\n"
+    "usage: iris floor --points FILE (--size WxH | --image IN) [--json] [-o FLOOR]\n"
+    "       iris floor --calib CAMERA --height MM --tilt DEG [--pan DEG] [--roll DEG] [--ahead MM]\n"
+    "                  [--right MM] [--json] [-o FLOOR]\n\n"
     "From marks on the floor to a floor file: how the camera sees the floor, for iris birdseye and\n"
     "--floor of follow, lines, paths, and blobs. Prints how far the marks are from where the floor would\n"
-    "show them, and warns of marks that do not fit.\n\n"
+    "show them, and warns of marks that do not fit. Or from a calibrated camera and how it is mounted:\n"
+    "the floor of pictures after iris undistort --calib, if its lens bends. Marks say it more exactly.\n\n"
     "  --points FILE  a mark per line, four at least, not three of four on a line: x y X Y.\n"
     "                 x y: where the picture shows it, pixels, 0 0 is the center of the top left\n"
     "                 one; X Y: where it is on the floor, millimeters, X to the right of, Y ahead\n"
@@ -23,10 +27,12 @@ static const char help[] =
     "                 Blanks, tabs, commas, or semicolons stand between numbers (1.5: with a point).\n"
     "                 What stands behind a # does not count. -: standard input\n"
     "  --size WxH     of the pictures that the marks were read off\n"
-    "  --image IN     the same, from one of these pictures\n"
-    "  --json         one JSON object\n"
+    "  --image IN     the same, from one of these pictures\n" MOUNTING_OPTION_HELP
+    "  --json         one JSON object; of a mounting, near_mm and middle_mm say where on the floor the\n"
+    "                 middle of the picture's lower edge is, and its middle; lens_px, how far it bends\n"
     "  -o FLOOR       writes the floor file (a text); -: to standard output, and nothing else\n\n"
-    "example: iris floor --points marks.txt --image floor.bmp -o robot.floor\n";
+    "example: iris floor --points marks.txt --image floor.bmp -o robot.floor\n"
+    "         iris floor --calib left.camera --height 240 --tilt 35 -o robot.floor\n";
 
 #define ODD_CHANCE 0.01 /* of a warning of marks that are all good */
 
@@ -321,32 +327,50 @@ static int run(const char *points, iris_size size, const char *output, int json)
     return EXIT_DONE;
 }
 
+static int check_call(const arguments *args, const char *points, const mounting_texts *mounting)
+{
+    if (args->operand_count > 0) {
+        complain(args->operands[0], "no operand is expected: the marks are given by --points");
+        return 0;
+    }
+    if (points && mounting_is_given(mounting)) {
+        complain("--points", "not together with --calib and the mounting");
+        return 0;
+    }
+    if (!points && !mounting_is_given(mounting)) {
+        complain(NULL, "--points FILE is needed, or --calib, --height, and --tilt (see --help)");
+        return 0;
+    }
+    return 1;
+}
+
 int cmd_floor(int argc, char **argv)
 {
     const char *points = NULL, *size_text = NULL, *image = NULL, *output = NULL;
+    mounting_texts mounting = {NULL};
     int json = 0;
     iris_size size = {0, 0};
-    const args_option options[] = {{"points", 0, NULL, &points},
-                                   {"size", 0, NULL, &size_text},
-                                   {"image", 0, NULL, &image},
-                                   {"json", 0, &json, NULL},
-                                   {"output", 'o', NULL, &output}};
+    const args_option options[] = {MOUNTING_OPTIONS(mounting),    {"points", 0, NULL, &points},
+                                   {"size", 0, NULL, &size_text}, {"image", 0, NULL, &image},
+                                   {"json", 0, &json, NULL},      {"output", 'o', NULL, &output}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
         return exit_code;
     }
-    if (args.operand_count > 0) {
-        complain(args.operands[0], "no operand is expected: the marks are given by --points");
-        return EXIT_BAD_CALL;
-    }
-    if (!points) {
-        complain(NULL, "--points FILE is needed (see --help)");
+    if (!check_call(&args, points, &mounting)) {
         return EXIT_BAD_CALL;
     }
     if (json && output && strcmp(output, "-") == 0) {
         complain("--json", "not together with -o -");
         return EXIT_BAD_CALL;
+    }
+    if (!points) {
+        if (size_text || image) {
+            complain(NULL, "the camera file has the size of the pictures: without --size and --image");
+            return EXIT_BAD_CALL;
+        }
+        return floor_from_mounting(&mounting, output, json);
     }
     exit_code = size_of(&size, size_text, image);
     return exit_code == EXIT_DONE ? run(points, size, output, json) : exit_code;
