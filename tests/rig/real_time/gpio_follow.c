@@ -16,7 +16,7 @@ enum { LEFT = 1, RIGHT = 2, STOP = 5, HEARTBEAT = 6, WATCHDOG_MS = 300 };
 #ifdef IRIS_CHECKED
 enum { MARGIN_MS = 3000, TURNS = 1, SEEN_US = 300000, LOOK_US = 9000, DUTY_OFF = 150 };
 #else
-enum { MARGIN_MS = 400, TURNS = 3, SEEN_US = 800000, LOOK_US = 9000, DUTY_OFF = 100 };
+enum { MARGIN_MS = 1000, TURNS = 3, SEEN_US = 800000, LOOK_US = 9000, DUTY_OFF = 100 };
 #endif
 enum { GAP_MS = 20, HOLD_MS = 100, MOST_TURNS = 5 }; /* lines are held safe for that long */
 enum { SLOW_MS = 60000, FRAME_BYTES = 14 + 64 * 48 };
