@@ -57,6 +57,7 @@ int main(int argc, char **argv)
     score_junctions(&s);
     score_paths(&s);
     score_lock(&s);
+    score_camera(&s);
     score_calib(&s);
     score_stereo(&s);
     score_carve(&s);

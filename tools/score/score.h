@@ -51,6 +51,7 @@ void score_lines(score *s);
 void score_junctions(score *s);
 void score_paths(score *s);
 void score_lock(score *s);
+void score_camera(score *s);
 void score_calib(score *s);
 void score_stereo(score *s);
 void score_carve(score *s);

@@ -80,11 +80,13 @@ typedef struct {
 iris_vec3 iris_pose_into(const iris_pose *pose, iris_vec3 world);
 iris_vec3 iris_pose_out_of(const iris_pose *pose, iris_vec3 camera);
 
-/* What a straight ray through p on the picture plane becomes in the lens. O(1), 15 products. */
+/* What a straight ray through p on the picture plane becomes in the lens. O(1), 15 products. With numbers of real lenses (k1
+ * to 0.25, k2 to 0.06) and p within half a focal length of the axis, the polynomial is within 2^-29, and what solves it
+ * within 2^-27, in either function. */
 iris_vec2 iris_lens_bend(const iris_lens *lens, iris_vec2 p);
 
 /* The straight ray's place of what is seen at p. One of the two directions is the polynomial itself, the other one
- * solves it, to 2^-28, by at most 30 of Newton's steps. IRIS_ERR_RANGE: there is no such place, so far out that the
+ * solves it, until what it gives is within 2^-28, by at most 30 of Newton's steps. IRIS_ERR_RANGE: there is no such place, so far out that the
  * polynomial turns back; *straight is then the nearest that was found. */
 iris_status iris_lens_straighten(iris_vec2 *straight, const iris_lens *lens, iris_vec2 p);
 
@@ -106,11 +108,13 @@ iris_status iris_sensor_project(iris_vec2 *pixel, iris_q32 *depth, const iris_se
 iris_status iris_sensor_ray(iris_line3 *ray, const iris_sensor *sensor, iris_vec2 pixel);
 
 /* The projective matrix M = [K R | -K R t], row by row, without the lens: (U, V, W) = M (X, 1), u = U / W, v = V / W.
- * W is the depth. */
+ * W is the depth. The left 3 x 3 are within 1 unit of 2^-32, the last column within 1 + |x| + |y| + |z| of the place. */
 void iris_sensor_matrix(iris_q32 m[12], const iris_sensor *sensor);
 
 /* The camera of a projective matrix of any scale and sign: R and K by an RQ decomposition, t = -A^-1 b. Both alphas
- * come out positive, and R does not mirror. The lens is none. IRIS_ERR_RANGE: A, the left 3 x 3 of M, has no inverse,
+ * come out positive, and R does not mirror. The lens is none. With p the length of all five intrinsic numbers, q = p / the
+ * smaller alpha, and s the length of M's third row, or 1 if that is longer, R is within 2 q 2^-32 / s of what M is exactly,
+ * pixels are within 2 q p 2^-32 / s, and the place within 8 q (1 + its length) 2^-32 / s. IRIS_ERR_RANGE: A, the left 3 x 3 of M, has no inverse,
  * or numbers do not fit; *sensor untouched. */
 iris_status iris_sensor_decompose(iris_sensor *sensor, const iris_q32 m[12]);
 

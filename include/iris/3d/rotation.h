@@ -28,7 +28,8 @@ typedef struct {
 /* By `radians` about an axis of length 1. Each number is within 2 units. */
 void iris_rotation_about(iris_mat3 *r, iris_vec3 axis, iris_q32 radians);
 
-/* About the direction of v by its length in radians (Rodrigues' vector). (0, 0, 0) is no rotation. */
+/* About the direction of v by its length in radians (Rodrigues' vector), up to pi within 4 units. (0, 0, 0) is no
+ * rotation. */
 void iris_rotation_from_vector(iris_mat3 *r, iris_vec3 v);
 
 /* The vector of length 0 to pi: 8 units off at most as a rotation. */
@@ -43,7 +44,7 @@ iris_angles iris_rotation_to_angles(const iris_mat3 *r);
 /* A quaternion of any length but 0, which is no rotation. */
 void iris_rotation_from_quaternion(iris_mat3 *r, iris_quaternion q);
 
-/* w is not negative. */
+/* w is not negative. 8 units off at most as a rotation. */
 iris_quaternion iris_rotation_to_quaternion(const iris_mat3 *r);
 
 /* Products of many rotations drift: this makes one of them again, near r. IRIS_ERR_RANGE: r is no rotation at all. */
