@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "iris/3d/board_find.h"
 #include "iris/3d/calib_board.h"
 #include "iris/3d/calib_scene.h"
 #include "picture.h"
@@ -153,9 +154,93 @@ static void score_chessboard(score *s)
               "%.6f px; focal length %.3f (OpenCV 532.827)", real(fit.rms), real(fit.intrinsics.alpha_u));
 }
 
+#define SEEN 4 /* of the chessboard's pictures are there */
+
+static const int seen_numbers[SEEN] = {1, 5, 8, 14};
+static IRIS_SCRATCH_BUFFER(finder, IRIS_BOARD_CORNERS_SCRATCH_BYTES(640, 640, 9, 6));
+
+/* Finds the 9x6 corners; 0 when they are not seen. */
+static int find_corners(iris_vec2 corners[54], const iris_image *gray)
+{
+    const iris_board_grid grid = {9, 6};
+    iris_board_report report;
+    iris_scratch scratch;
+    (void)iris_scratch_init(&scratch, finder.memory, sizeof finder.memory);
+    return iris_board_corners(corners, &report, gray, &grid, &scratch) == IRIS_OK;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* How far corners are from a list of them, from either end: the median. *most: the largest. */
+static double median_off(double *most, const iris_vec2 corners[54], const iris_q32 list[108])
+{
+    double best = 1e9;
+    for (int turn = 0; turn < 2; turn++) {
+        double off[54];
+        for (int k = 0; k < 54; k++) {
+            const int at = turn ? 53 - k : k;
+            off[k] = hypot(real(corners[k].x - list[2 * at]), real(corners[k].y - list[2 * at + 1]));
+        }
+        qsort(off, 54, sizeof off[0], compare_doubles);
+        if (off[27] < best) {
+            best = off[27];
+            *most = off[53];
+        }
+    }
+    return best;
+}
+
+/* All corners of the pictures that are there; what they are off the lists; and the camera they make. */
+static void score_seen(score *s)
+{
+    static const char what[] = "chessboard, 4 pictures: corners found; median off OpenCV's lists";
+    static const char needed[] = "all 54; at most 0.3 px";
+    static iris_board_point points[SEEN][54];
+    iris_vec2 corners[54];
+    iris_q32 list[108];
+    iris_board_view views[SEEN];
+    int seen = 0;
+    double median = 0, most = 0;
+    for (int n = 0; n < SEEN; n++) {
+        char name[64], list_name[64];
+        iris_image gray;
+        snprintf(name, sizeof name, "calib/chessboard/left%02d.pgm", seen_numbers[n]);
+        snprintf(list_name, sizeof list_name, "calib/chessboard/left%02d_corners.txt", seen_numbers[n]);
+        if (picture_load(&gray, name, IRIS_GRAY8) != IRIS_OK || read_numbers(list, 108, list_name) != 108) {
+            free(gray.data);
+            score_row(s, what, needed, SCORE_SKIPPED, "no data (IRIS_DATA)");
+            return;
+        }
+        if (find_corners(corners, &gray)) {
+            double largest = 0;
+            median = fmax(median, median_off(&largest, corners, list));
+            most = fmax(most, largest);
+            for (int k = 0; k < 54; k++) {
+                const iris_vec2 place = {k % 9 * 25 * IRIS_Q32_ONE, k / 9 * 25 * IRIS_Q32_ONE};
+                points[seen][k] = (iris_board_point){place, corners[k]};
+            }
+            views[seen] = (iris_board_view){points[seen], 54};
+            seen++;
+        }
+        free(gray.data);
+    }
+    score_row(s, what, needed, score_if(seen == SEEN && median <= 0.3),
+              "in %d of 4; %.3f px in the worst picture, one corner %.3f", seen, median, most);
+    iris_board_fit fit;
+    int good = seen == SEEN && fit_board(&fit, views, seen, IRIS_BOARD_K3 | IRIS_BOARD_TANGENTIAL);
+    score_row(s, "the same: the camera; OpenCV's lists of the 4 give rms 0.2016 px, focal length 534.7",
+              "focal length within 1 %", score_if(good && is_near(fit.intrinsics.alpha_u, 534.718, 5.347)),
+              "rms %.4f px, focal length %.3f", real(fit.rms), real(fit.intrinsics.alpha_u));
+}
+
 void score_calib(score *s)
 {
     score_scene(s);
     score_zhang(s);
     score_chessboard(s);
+    score_seen(s);
 }
