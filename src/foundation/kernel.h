@@ -10,92 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "iris/color.h"
-
-/* What kernels take; here, so that ports can declare theirs. */
-
-/* Eight neighboring pixels of a row. */
-typedef struct iris_block8 {
-    uint16_t sum;  /* of the pixels */
-    uint8_t limit; /* given */
-    uint8_t below; /* bit i = pixel i < limit */
-} iris_block8;
-
-typedef struct {
-    int32_t side; /* of the square window: odd, 1 to 2047 */
-    int32_t c;    /* gray levels below the mean, -255 to 255 */
-} iris_row_window;
-
-/* What a step costs. */
-typedef struct {
-    uint16_t straight, diagonal;
-} iris_row_steps;
-
-/* The farthest that the bell kernels reach. */
-#define IRIS_BELL_RADIUS 5
-
-/* Where a row of gradients goes: dx, dy, and |dx| + |dy|. */
-typedef struct {
-    int16_t *dx, *dy, *size;
-} iris_row_gradient;
-
-/* Three rows of |dx| + |dy|, each readable from -1 to n, with dx and dy of the middle one. |dx| and |dy| are at most
- * 1020; low and high 0 to 32767. */
-typedef struct {
-    const int16_t *size[3];
-    const int16_t *dx, *dy;
-    int32_t low, high;
-} iris_row_ridges;
-
-typedef struct {
-    int32_t amount_q16; /* 0 to 16.0 */
-    int32_t threshold;  /* 0 to 255 */
-} iris_row_sharpening;
-
-/* One sample of a window: where it is found for pixel 0, and its weight, above INT32_MIN. */
-typedef struct {
-    const uint8_t *src;
-    int32_t weight;
-} iris_row_tap;
-
-/* The most taps of one call: a window of 7x7. */
-#define IRIS_ROW_TAPS 49
-
-/* From sums to bytes: n / divisor, rounded down, 0 to 255. Of n below 0 that is 0, or with `absolute` minus the
- * quotient, (divisor - 1 - n) / divisor, which does not overflow. Where n is at most 255 * divisor, the quotient is n
- * * factor >> shift: factor = 2^shift / divisor, rounded up, and 2^(shift - 31) the largest power of two that is not
- * above divisor. */
-typedef struct {
-    int32_t start;   /* of each sum: divisor / 2 + bias * divisor */
-    int32_t divisor; /* 1 to 2^22 */
-    uint32_t factor;
-    int shift, absolute;
-} iris_row_quotient;
-
-/* A line of weights, for samples `step` apart. */
-typedef struct {
-    const int32_t *weights;
-    int32_t count, step;
-} iris_row_line;
-
-/* A whole of the weights of two samples. */
-#define IRIS_ROW_WHOLE 2048u
-
-/* Places in a row: between the sample at[i] and the one `step` (1 or 3) behind it, whose weight is weight[i], 0 to
- * IRIS_ROW_WHOLE. at is at least 0, and none is below one before: with a step of 3 not by more than 2, for the
- * samples of a pixel may come again. */
-typedef struct {
-    const int32_t *at;
-    const uint16_t *weight;
-    int32_t step;
-} iris_row_places;
-
-/* A straight way over a picture: place i is (x + i dx, y + i dy), with 16 fraction bits. */
-typedef struct {
-    const uint8_t *src; /* pixel (0, 0) */
-    ptrdiff_t stride;
-    int32_t x, y, dx, dy;
-} iris_row_way;
+#include "kernel_types.h"
 
 #include "iris_port.h"
 
@@ -542,6 +457,73 @@ void iris_row_reverse_u8_c(uint8_t *dst, const uint8_t *src, int32_t n);
 void iris_row_every_third_u8_c(uint8_t *dst, const uint8_t *src, int32_t n);
 #ifndef iris_row_every_third_u8
 #define iris_row_every_third_u8 iris_row_every_third_u8_c
+#endif
+
+/* The census of a row: which of the 24 pixels around are darker, 8 in each plane. Rows are readable from -2 up to below
+ * n + 2; planes are none of them. */
+void iris_row_census_u8_c(uint8_t *const planes[3], const uint8_t *const rows[5], int32_t n);
+#ifndef iris_row_census_u8
+#define iris_row_census_u8 iris_row_census_u8_c
+#endif
+
+/* What n pixels of a pair differ by at each step: how many bits of the census, and the gray levels, at most 32, added. */
+void iris_row_costs_u8_c(uint8_t *costs, const iris_row_pair *pair, int32_t n);
+#ifndef iris_row_costs_u8
+#define iris_row_costs_u8 iris_row_costs_u8_c
+#endif
+
+/* sums += these costs of one pair, and -= those of another one with as many steps, which may be null. */
+void iris_row_slide_costs_u16_c(uint16_t *sums, const iris_row_pair *enter, const iris_row_pair *leave,
+                                int32_t n);
+#ifndef iris_row_slide_costs_u16
+#define iris_row_slide_costs_u16 iris_row_slide_costs_u16_c
+#endif
+
+/* sums of each pixel = those of the pixel before + enter - leave, all of `steps` values; modulo 2^16. */
+void iris_row_roll_u16_c(uint16_t *sums, const uint16_t *enter, const uint16_t *leave, int32_t steps,
+                         int32_t n);
+#ifndef iris_row_roll_u16
+#define iris_row_roll_u16 iris_row_roll_u16_c
+#endif
+
+/* The first least one of `steps` (1 to 256) costs of each pixel; pixels are `apart` costs from each other. */
+void iris_row_least_u16_c(const iris_row_least *to, const uint16_t *costs, int32_t steps, int32_t apart,
+                          int32_t n);
+#ifndef iris_row_least_u16
+#define iris_row_least_u16 iris_row_least_u16_c
+#endif
+
+/* dst = 256 times the place of the lowest point of the parabola through a least cost and those beside, at least 1. */
+void iris_row_parabola_u16_c(uint16_t *dst, const iris_row_least *from, int32_t n);
+#ifndef iris_row_parabola_u16
+#define iris_row_parabola_u16 iris_row_parabola_u16_c
+#endif
+
+/* least[d - x] = the least of itself and of cost d of pixel x, step[d - x] = its d, of the first one where several are as
+ * small. */
+void iris_row_facing_u16_c(uint16_t *least, uint16_t *step, const uint16_t *costs, int32_t steps, int32_t n);
+#ifndef iris_row_facing_u16
+#define iris_row_facing_u16 iris_row_facing_u16_c
+#endif
+
+/* dst = the median of the 5x5 values around, of five rows that are readable from -2 up to below n + 2. */
+void iris_row_median25_u16_c(uint16_t *dst, const uint16_t *const rows[5], int32_t n);
+#ifndef iris_row_median25_u16
+#define iris_row_median25_u16 iris_row_median25_u16_c
+#endif
+
+/* Paths go on to the next row: of each pixel they become its costs and the least of themselves, of those one step beside
+ * + one, and of the least of all + the pixel's leap; less the least of all. Then sums += paths, where sums are not
+ * null. */
+void iris_row_paths_u16_c(uint16_t *paths, uint16_t *sums, const iris_row_ground *ground, int32_t n);
+#ifndef iris_row_paths_u16
+#define iris_row_paths_u16 iris_row_paths_u16_c
+#endif
+
+/* The same along the row, from left to right and from right to left: sums += both. They begin as 0. room: 2 * steps. */
+void iris_row_paths_along_u16_c(uint16_t *sums, uint16_t *room, const iris_row_ground *ground, int32_t n);
+#ifndef iris_row_paths_along_u16
+#define iris_row_paths_along_u16 iris_row_paths_along_u16_c
 #endif
 
 #endif

@@ -11,6 +11,7 @@
 #include <time.h>
 
 enum { WIDTH = 640, DRAWS = 8, ROUNDS = 40, CALLS = 16, AROUND = 1024 };
+enum { ROOM = 64 }; /* bytes of a pixel, at most */
 
 #define KERNEL_FAMILY(family) &kernels_##family,
 static const kernel_family *const families[] = {
@@ -18,7 +19,7 @@ static const kernel_family *const families[] = {
 };
 #undef KERNEL_FAMILY
 
-static uint8_t memory[KERNEL_ROWS][KERNEL_ROOM + 2 * AROUND] __attribute__((aligned(64)));
+static uint8_t memory[KERNEL_ROWS][WIDTH * ROOM + 2 * AROUND] __attribute__((aligned(64)));
 
 static void fill_rows(const kernel_case *c, uint8_t **rows)
 {

@@ -62,19 +62,25 @@ typedef struct {
 /* Sensible values, as given above. Null is ignored. */
 void iris_stereo_block_defaults(iris_stereo_block_config *config);
 
+/* So many pixels of a row are worked on at a time. */
+#define IRIS_STEREO_PIECE 32
+
 /* Working memory: some rows, each with all disparities. */
 #define IRIS_STEREO_ROW_BYTES(w, max_disparity, bytes)                                                       \
     IRIS_SCRATCH_ROUND((size_t)(bytes) * (size_t)(w) * ((size_t)(max_disparity) + 1u))
+#define IRIS_STEREO_PAIR_SCRATCH_BYTES(w, max_disparity)                                                     \
+    (4u * IRIS_SCRATCH_ROUND((size_t)(w) + (size_t)(max_disparity)) + 3u * IRIS_SCRATCH_ROUND((size_t)(w)))
 #define IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity)                                                    \
-    (IRIS_STEREO_ROW_BYTES(w, max_disparity, 1) + IRIS_SCRATCH_ROUND(4u * (size_t)(w)) +                     \
-     IRIS_SCRATCH_ROUND(4u * ((size_t)(w) + (size_t)(max_disparity))) +                                      \
-     IRIS_SCRATCH_ROUND((size_t)(w) + (size_t)(max_disparity)))
-#define IRIS_STEREO_PICK_SCRATCH_BYTES(w)                                                                    \
-    (IRIS_SCRATCH_ROUND(2u * (size_t)(w)) + IRIS_SCRATCH_ROUND((size_t)(w)))
+    (IRIS_STEREO_ROW_BYTES(w, max_disparity, 1) + IRIS_STEREO_PAIR_SCRATCH_BYTES(w, max_disparity))
+#define IRIS_STEREO_WINDOWS_SCRATCH_BYTES(w, max_disparity)                                                  \
+    (IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) +                                                            \
+     IRIS_STEREO_ROW_BYTES(IRIS_STEREO_PIECE + 1, max_disparity, 2) +                                        \
+     IRIS_STEREO_ROW_BYTES(1, max_disparity, 2) + 2u * IRIS_STEREO_PAIR_SCRATCH_BYTES(w, max_disparity))
+#define IRIS_STEREO_PICK_SCRATCH_BYTES(w)   (2u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
 #define IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w) (3u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
 #define IRIS_STEREO_BLOCK_SCRATCH_BYTES(w, max_disparity)                                                    \
-    (IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity) + 2u * IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) +   \
-     IRIS_STEREO_PICK_SCRATCH_BYTES(w) + IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
+    (IRIS_STEREO_WINDOWS_SCRATCH_BYTES(w, max_disparity) + IRIS_STEREO_PICK_SCRATCH_BYTES(w) +               \
+     IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
 
 /* Block matching: for each place the disparity at which a square window around it differs least, with a parabola
  * through the three costs there for the fraction of a pixel. At the edge of a near thing windows see both this and
@@ -108,8 +114,9 @@ void iris_stereo_semiglobal_defaults(iris_stereo_semiglobal_config *config);
     (IRIS_STEREO_COSTS_SCRATCH_BYTES(w, max_disparity) +                                                     \
      IRIS_STEREO_ROW_BYTES(w, max_disparity, 2 * IRIS_STEREO_BAND) +                                         \
      IRIS_STEREO_ROW_BYTES(w, max_disparity, IRIS_STEREO_BAND) +                                             \
-     2u * IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) + IRIS_STEREO_ROW_BYTES(1, max_disparity, 2) +          \
-     IRIS_STEREO_PICK_SCRATCH_BYTES(w) + IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
+     2u * IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) + IRIS_STEREO_ROW_BYTES(1, max_disparity, 4) +          \
+     IRIS_SCRATCH_ROUND(2u * (size_t)(w) + 2u) + IRIS_STEREO_PICK_SCRATCH_BYTES(w) +                         \
+     IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
 
 /* Semi-global matching after Hirschmueller (2008), in bands of rows: the costs of single pixels are summed along the
  * best paths that come from the left, the right, above, and below, on which each change of disparity costs, a large

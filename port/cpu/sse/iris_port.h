@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 43
+#define IRIS_PORT_OVERRIDES 50
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -147,5 +147,29 @@ void iris_row_columns16_u8_sse(uint8_t *dst, ptrdiff_t stride, const uint8_t *co
 
 void iris_row_tone_u8_sse(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n);
 #define iris_row_tone_u8 iris_row_tone_u8_sse
+
+void iris_row_census_u8_sse(uint8_t *const planes[3], const uint8_t *const rows[5], int32_t n);
+#define iris_row_census_u8 iris_row_census_u8_sse
+
+void iris_row_costs_u8_sse(uint8_t *costs, const iris_row_pair *pair, int32_t n);
+#define iris_row_costs_u8 iris_row_costs_u8_sse
+
+void iris_row_slide_costs_u16_sse(uint16_t *sums, const iris_row_pair *enter, const iris_row_pair *leave,
+                                  int32_t n);
+#define iris_row_slide_costs_u16 iris_row_slide_costs_u16_sse
+
+void iris_row_roll_u16_sse(uint16_t *sums, const uint16_t *enter, const uint16_t *leave, int32_t steps,
+                           int32_t n);
+#define iris_row_roll_u16 iris_row_roll_u16_sse
+
+void iris_row_least_u16_sse(const iris_row_least *to, const uint16_t *costs, int32_t steps, int32_t apart,
+                            int32_t n);
+#define iris_row_least_u16 iris_row_least_u16_sse
+
+void iris_row_paths_u16_sse(uint16_t *paths, uint16_t *sums, const iris_row_ground *ground, int32_t n);
+#define iris_row_paths_u16 iris_row_paths_u16_sse
+
+void iris_row_paths_along_u16_sse(uint16_t *sums, uint16_t *room, const iris_row_ground *ground, int32_t n);
+#define iris_row_paths_along_u16 iris_row_paths_along_u16_sse
 
 #endif

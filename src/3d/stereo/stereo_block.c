@@ -24,7 +24,14 @@ static iris_status match(const iris_image *disparity, const iris_image *left, co
     }
     iris_scratch_release(scratch, mark);
     for (int32_t y = 0; y < left->h; y++) {
-        iris_stereo_pick_row(iris_image_row(disparity, y), &pick, iris_stereo_costs_row(&costs, y));
+        uint16_t *row = iris_image_row(disparity, y);
+        iris_stereo_costs_begin_row(&costs, y);
+        iris_stereo_pick_begin_row(&pick);
+        for (int32_t x = 0; x < left->w; x += IRIS_STEREO_PIECE) {
+            int32_t count = left->w - x < IRIS_STEREO_PIECE ? left->w - x : IRIS_STEREO_PIECE;
+            iris_stereo_pick_piece(row, &pick, iris_stereo_costs_piece(&costs, x, count), x, count);
+        }
+        iris_stereo_pick_end_row(row, &pick);
     }
     return config->stereo.smooth ? iris_stereo_smooth(disparity, scratch) : IRIS_OK;
 }

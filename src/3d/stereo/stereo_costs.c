@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#define SAD_MOST 32
-
 static int32_t between(int32_t a, int32_t least, int32_t most)
 {
     return a < least ? least : a > most ? most : a;
@@ -43,6 +41,21 @@ iris_status iris_stereo_check(const iris_image *disparity, const iris_image *lef
     return status == IRIS_OK ? check_views(disparity, left, right) : status;
 }
 
+/* 0 when there is too little. */
+static int take_rows(iris_stereo_rows *rows, size_t w, size_t most, iris_scratch *scratch)
+{
+    int good = 1;
+    for (int k = 0; k < 4; k++) {
+        rows->right[k] = iris_scratch_take(scratch, w + most);
+        good &= rows->right[k] != NULL;
+    }
+    for (int k = 0; k < 3; k++) {
+        rows->left[k] = iris_scratch_take(scratch, w);
+        good &= rows->left[k] != NULL;
+    }
+    return good;
+}
+
 iris_status iris_stereo_costs_begin(iris_stereo_costs *c, const iris_image *left, const iris_image *right,
                                     const iris_stereo_config *config, int32_t side, iris_scratch *scratch)
 {
@@ -53,142 +66,156 @@ iris_status iris_stereo_costs_begin(iris_stereo_costs *c, const iris_image *left
                              .steps = config->max_disparity + 1,
                              .cost = config->cost,
                              .reach = side / 2};
-    size_t windows = side > 0 ? 2 * cells : 0;
-    c->columns = iris_scratch_take(scratch, windows);
-    c->sums = iris_scratch_take(scratch, windows);
-    c->costs = iris_scratch_take(scratch, cells);
-    c->census_left = iris_scratch_take(scratch, 4 * w);
-    c->census_right = iris_scratch_take(scratch, 4 * (w + most));
-    c->gray_right = iris_scratch_take(scratch, w + most);
-    int good = c->columns && c->sums && c->costs && c->census_left && c->census_right && c->gray_right;
+    int good = take_rows(&c->enter, w, most, scratch);
+    if (side > 0) {
+        good = good && take_rows(&c->leave, w, most, scratch);
+        c->columns = iris_scratch_take(scratch, 2 * cells);
+        c->sums = iris_scratch_take(scratch, 2 * (IRIS_STEREO_PIECE + 1) * (most + 1));
+        c->last = iris_scratch_take(scratch, 2 * (most + 1));
+        good = good && c->columns && c->sums && c->last;
+    } else {
+        c->costs = iris_scratch_take(scratch, cells);
+        good = good && c->costs;
+    }
     return good ? IRIS_OK : IRIS_ERR_SCRATCH;
 }
 
-/* A bit for each of the 24 pixels around: is it darker? Pixel 0 of the row goes to `to`, the next ones `step` on. */
-static void census(uint32_t *to, ptrdiff_t step, const iris_image *image, int32_t y)
+/* Pixels near an end of the row, `first` to `end` - 1: rows go on there as they end. */
+static void census_at_end(uint8_t *const planes[3], const uint8_t *const rows[5], int32_t w, int32_t first,
+                          int32_t end)
+{
+    uint8_t around[5][5];
+    const uint8_t *const middles[5] = {around[0] + 2, around[1] + 2, around[2] + 2, around[3] + 2,
+                                       around[4] + 2};
+    for (int32_t x = first; x < end; x++) {
+        uint8_t *const to[3] = {planes[0] + x, planes[1] + x, planes[2] + x};
+        for (int k = 0; k < 25; k++) {
+            around[k / 5][k % 5] = rows[k / 5][between(x + k % 5 - 2, 0, w - 1)];
+        }
+        iris_row_census_u8(to, middles, 1);
+    }
+}
+
+/* Is each of the 24 pixels around darker? */
+static void census(uint8_t *const planes[3], const iris_image *image, int32_t y)
 {
     const uint8_t *rows[5];
-    int32_t w = image->w;
+    int32_t w = image->w, inner = w > 4 ? w - 4 : 0, left = w < 2 ? w : 2;
     for (int k = 0; k < 5; k++) {
         rows[k] = iris_image_row(image, between(y + k - 2, 0, image->h - 1));
     }
-    for (int32_t x = 0; x < w; x++, to += step) {
-        int32_t at[5];
-        uint32_t bits = 0;
-        for (int i = 0; i < 5; i++) {
-            at[i] = x >= 2 && x < w - 2 ? x + i - 2 : between(x + i - 2, 0, w - 1);
-        }
-        uint8_t own = rows[2][x];
-        for (int k = 0; k < 5; k++) {
-            const uint8_t *row = rows[k];
-            bits = bits << 5 | (uint32_t)(row[at[0]] < own) << 4 | (uint32_t)(row[at[1]] < own) << 3 |
-                   (uint32_t)(row[at[2]] < own) << 2 | (uint32_t)(row[at[3]] < own) << 1 |
-                   (uint32_t)(row[at[4]] < own);
-        }
-        *to = bits;
+    census_at_end(planes, rows, w, 0, left);
+    if (inner > 0) {
+        const uint8_t *const inner_rows[5] = {rows[0] + 2, rows[1] + 2, rows[2] + 2, rows[3] + 2,
+                                              rows[4] + 2};
+        uint8_t *const to[3] = {planes[0] + 2, planes[1] + 2, planes[2] + 2};
+        iris_row_census_u8(to, inner_rows, inner);
     }
+    census_at_end(planes, rows, w, left + inner, w);
 }
 
-/* How many bits are set. */
-static uint32_t count_bits(uint32_t bits)
+/* Row y of both pictures. */
+static iris_row_pair prepare(const iris_stereo_costs *c, const iris_stereo_rows *rows, int32_t y)
 {
-    bits -= bits >> 1 & 0x55555555u;
-    bits = (bits & 0x33333333u) + (bits >> 2 & 0x33333333u);
-    return ((bits + (bits >> 4)) & 0x0F0F0F0Fu) * 0x01010101u >> 24;
-}
-
-static uint32_t gray_cost(uint8_t a, uint8_t b)
-{
-    uint32_t apart = (uint32_t)(a > b ? a - b : b - a);
-    return apart < SAD_MOST ? apart : SAD_MOST;
-}
-
-static void costs_at(uint8_t *to, const iris_stereo_costs *c, int32_t x, uint8_t gray)
-{
-    const uint32_t *right = c->census_right + (c->w - 1 - x);
-    const uint8_t *gray_right = c->gray_right + (c->w - 1 - x);
-    uint32_t left = c->census_left[x];
-    for (int32_t d = 0; d < c->steps && c->cost == IRIS_STEREO_CENSUS; d++) {
-        to[d] = (uint8_t)count_bits(left ^ right[d]);
+    iris_row_pair pair = {.steps = c->steps};
+    const int32_t w = c->w;
+    const int has_census = c->cost != IRIS_STEREO_SAD, has_gray = c->cost != IRIS_STEREO_CENSUS;
+    if (has_census) {
+        census(rows->left, c->left, y);
+        census(rows->right, c->right, y);
     }
-    for (int32_t d = 0; d < c->steps && c->cost == IRIS_STEREO_SAD; d++) {
-        to[d] = (uint8_t)gray_cost(gray, gray_right[d]);
+    for (int k = has_census ? 0 : 3; k < (has_gray ? 4 : 3); k++) {
+        uint8_t *right = rows->right[k];
+        iris_row_reverse_u8(right, k < 3 ? right : iris_image_row(c->right, y), w);
+        memset(right + w, right[w - 1], (size_t)c->steps - 1);
+        pair.left[k] = k < 3 ? rows->left[k] : iris_image_row(c->left, y);
+        pair.right[k] = right + w - 1;
     }
-    for (int32_t d = 0; d < c->steps && c->cost == IRIS_STEREO_BOTH; d++) {
-        to[d] = (uint8_t)(count_bits(left ^ right[d]) + gray_cost(gray, gray_right[d]));
-    }
+    return pair;
 }
 
 const uint8_t *iris_stereo_costs_pixels(const iris_stereo_costs *c, int32_t y)
 {
-    const uint8_t *left = iris_image_row(c->left, y), *right = iris_image_row(c->right, y);
-    int32_t w = c->w;
-    if (c->cost != IRIS_STEREO_SAD) {
-        census(c->census_left, 1, c->left, y);
-        census(c->census_right + w - 1, -1, c->right, y);
-    }
-    for (int32_t x = 0; x < w; x++) {
-        c->gray_right[w - 1 - x] = right[x];
-    }
-    for (int32_t d = 0; d < c->steps - 1; d++) {
-        c->census_right[w + d] = c->census_right[w - 1];
-        c->gray_right[w + d] = right[0];
-    }
-    for (int32_t x = 0; x < w; x++) {
-        costs_at(c->costs + (size_t)x * (size_t)c->steps, c, x, left[x]);
-    }
+    const iris_row_pair pair = prepare(c, &c->enter, y);
+    iris_row_costs_u8(c->costs, &pair, c->w);
     return c->costs;
 }
 
-/* columns += times costs of row y. */
-static void add_row(iris_stereo_costs *c, int32_t y, int32_t times)
+void iris_stereo_costs_begin_row(iris_stereo_costs *c, int32_t y)
 {
-    size_t cells = (size_t)c->w * (size_t)c->steps;
-    const uint8_t *costs = iris_stereo_costs_pixels(c, y);
-    for (size_t i = 0; i < cells; i++) {
-        c->columns[i] = (uint16_t)(c->columns[i] + times * costs[i]);
-    }
-}
-
-/* From sums over columns to those over windows. */
-static void sum_row(iris_stereo_costs *c)
-{
-    size_t steps = (size_t)c->steps;
-    for (size_t d = 0; d < steps; d++) {
-        c->sums[d] = 0;
-    }
-    for (int32_t k = -c->reach; k <= c->reach; k++) {
-        const uint16_t *column = c->columns + (size_t)between(k, 0, c->w - 1) * steps;
-        for (size_t d = 0; d < steps; d++) {
-            c->sums[d] = (uint16_t)(c->sums[d] + column[d]);
-        }
-    }
-    for (int32_t x = 1; x < c->w; x++) {
-        const uint16_t *enter = c->columns + (size_t)between(x + c->reach, 0, c->w - 1) * steps;
-        const uint16_t *leave = c->columns + (size_t)between(x - 1 - c->reach, 0, c->w - 1) * steps;
-        uint16_t *sum = c->sums + (size_t)x * steps;
-        const uint16_t *before = sum - steps;
-        for (size_t d = 0; d < steps; d++) {
-            sum[d] = (uint16_t)(before[d] + enter[d] - leave[d]);
-        }
-    }
-}
-
-const uint16_t *iris_stereo_costs_row(iris_stereo_costs *c, int32_t y)
-{
-    int32_t bottom = c->left->h - 1;
+    const int32_t bottom = c->left->h - 1;
     if (y == 0 || c->reach == 0) {
         memset(c->columns, 0, 2 * (size_t)c->w * (size_t)c->steps);
         for (int32_t k = -c->reach; k <= c->reach; k++) {
-            add_row(c, between(y + k, 0, bottom), 1);
+            const iris_row_pair enter = prepare(c, &c->enter, between(y + k, 0, bottom));
+            iris_row_slide_costs_u16(c->columns, &enter, NULL, c->w);
         }
+        c->moved = c->w;
     } else {
-        add_row(c, between(y + c->reach, 0, bottom), 1);
-        add_row(c, between(y - 1 - c->reach, 0, bottom), -1);
+        c->entering = prepare(c, &c->enter, between(y + c->reach, 0, bottom));
+        c->leaving = prepare(c, &c->leave, between(y - 1 - c->reach, 0, bottom));
+        c->moved = 0;
     }
-    if (c->reach == 0) {
-        return c->columns;
+}
+
+static uint16_t *column(const iris_stereo_costs *c, int32_t x)
+{
+    return c->columns + (size_t)between(x, 0, c->w - 1) * (size_t)c->steps;
+}
+
+/* The columns before `end` become those of the row. */
+static void move_columns(iris_stereo_costs *c, int32_t end)
+{
+    iris_row_pair enter = c->entering, leave = c->leaving;
+    end = end < c->w ? end : c->w;
+    if (end <= c->moved) {
+        return;
     }
-    sum_row(c);
-    return c->sums;
+    for (int k = 0; k < 4; k++) {
+        if (enter.left[k]) {
+            enter.left[k] += c->moved;
+            enter.right[k] -= c->moved;
+            leave.left[k] += c->moved;
+            leave.right[k] -= c->moved;
+        }
+    }
+    iris_row_slide_costs_u16(column(c, c->moved), &enter, &leave, end - c->moved);
+    c->moved = end;
+}
+
+/* The window around the row's first pixel. */
+static void sum_first(const iris_stereo_costs *c, uint16_t *sums)
+{
+    memset(sums, 0, 2 * (size_t)c->steps);
+    for (int32_t k = -c->reach; k <= c->reach; k++) {
+        const uint16_t *from = column(c, k);
+        for (int32_t d = 0; d < c->steps; d++) {
+            sums[d] = (uint16_t)(sums[d] + from[d]);
+        }
+    }
+}
+
+uint16_t *iris_stereo_costs_piece(iris_stereo_costs *c, int32_t x, int32_t count)
+{
+    const int32_t reach = c->reach, steps = c->steps, end = x + count;
+    uint16_t *sums = c->sums + steps;
+    move_columns(c, end + reach);
+    if (reach == 0) {
+        return column(c, x);
+    }
+    if (x == 0) {
+        sum_first(c, sums);
+    } else {
+        memcpy(c->sums, c->last, 2 * (size_t)steps);
+    }
+    for (int32_t at = x == 0 ? 1 : x; at < end;) {
+        int32_t enter = at + reach, leave = at - 1 - reach, n = 1;
+        if (enter < c->w && leave >= 0) { /* so many columns enter and leave */
+            n = c->w - enter < end - at ? c->w - enter : end - at;
+        }
+        iris_row_roll_u16(sums + (ptrdiff_t)(at - x) * steps, column(c, enter), column(c, leave), steps, n);
+        at += n;
+    }
+    memcpy(c->last, sums + (ptrdiff_t)(count - 1) * steps, 2 * (size_t)steps);
+    return sums;
 }

@@ -1,5 +1,9 @@
 #include "stereo_pick.h"
 
+#include <string.h>
+
+#include "../../foundation/kernel.h"
+
 #define NONE 65535u /* no match, until the row is filled */
 
 iris_status iris_stereo_pick_begin(iris_stereo_pick *p, const iris_stereo_config *config, int32_t w,
@@ -8,58 +12,68 @@ iris_status iris_stereo_pick_begin(iris_stereo_pick *p, const iris_stereo_config
     p->config = *config;
     p->w = w;
     p->right_cost = iris_scratch_take(scratch, 2 * (size_t)w);
-    p->right = iris_scratch_take(scratch, (size_t)w);
+    p->right = iris_scratch_take(scratch, 2 * (size_t)w);
     return p->right_cost && p->right ? IRIS_OK : IRIS_ERR_SCRATCH;
-}
-
-static int32_t least_of(const uint16_t *costs, int32_t n)
-{
-    int32_t best = 0;
-    for (int32_t d = 1; d < n; d++) {
-        best = costs[d] < costs[best] ? d : best;
-    }
-    return best;
-}
-
-/* Is none of those that are not beside the best one nearly as good? */
-static int is_unique(const uint16_t *costs, int32_t n, int32_t best, int32_t percent)
-{
-    for (int32_t d = 0; d < n && percent > 0; d++) {
-        int beside = d >= best - 1 && d <= best + 1;
-        if (!beside && costs[d] * (100 - percent) < costs[best] * 100) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-/* Where the parabola through the least cost and its two neighbors is lowest, in 256ths. */
-static uint16_t refine(const uint16_t *costs, int32_t n, int32_t best)
-{
-    int32_t value = best * 256;
-    if (best > 0 && best < n - 1) {
-        int32_t before = costs[best - 1], behind = costs[best + 1];
-        int32_t bend = before + behind - 2 * costs[best];
-        int32_t slope = 128 * (before - behind);
-        int32_t off = bend == 0 ? 0 : (slope + (slope < 0 ? -bend : bend) / 2) / bend;
-        value += off > 127 ? 127 : off < -127 ? -127 : off;
-    }
-    return (uint16_t)(value > 0 ? value : 1);
 }
 
 uint16_t iris_stereo_best(const uint16_t *costs, int32_t n)
 {
-    return refine(costs, n, least_of(costs, n));
+    uint16_t step, before, least, behind, best;
+    const iris_row_least to = {&step, &before, &least, &behind};
+    iris_row_least_u16(&to, costs, n, n, 1);
+    iris_row_parabola_u16(&best, &to, 1);
+    return best;
 }
 
-static void see_from_right(const iris_stereo_pick *p, const uint16_t *costs, int32_t n, int32_t x)
+/* Pixels of a row from x on, with their costs. */
+typedef struct {
+    uint16_t *costs;
+    int32_t steps, x, count;
+} piece;
+
+/* Those near the left edge have fewer disparities. */
+static void find_least(const iris_row_least *to, const piece *p)
 {
-    for (int32_t d = 0; d < n; d++) {
-        if (costs[d] < p->right_cost[x - d]) {
-            p->right_cost[x - d] = costs[d];
-            p->right[x - d] = (uint8_t)d;
-        }
+    const uint16_t *costs = p->costs;
+    int32_t k = 0;
+    for (; k < p->count && p->x + k < p->steps - 1; k++, costs += p->steps) {
+        const iris_row_least one = {to->step + k, to->before + k, to->least + k, to->behind + k};
+        iris_row_least_u16(&one, costs, p->x + k + 1, p->steps, 1);
     }
+    const iris_row_least rest = {to->step + k, to->before + k, to->least + k, to->behind + k};
+    iris_row_least_u16(&rest, costs, p->steps, p->steps, p->count - k);
+}
+
+/* Takes those back of which another one that is not beside the best is nearly as good. */
+static void keep_unique(uint16_t *disparity, const piece *p, const iris_row_least *best, int32_t percent)
+{
+    uint16_t step[IRIS_STEREO_PIECE], before[IRIS_STEREO_PIECE], second[IRIS_STEREO_PIECE],
+        behind[IRIS_STEREO_PIECE];
+    const iris_row_least others = {step, before, second, behind};
+    for (int32_t k = 0; k < p->count; k++) {
+        int32_t d = best->step[k];
+        uint16_t *at = p->costs + (ptrdiff_t)k * p->steps + d;
+        at[0] = NONE;
+        at[d > 0 ? -1 : 0] = NONE;
+        at[d < p->steps - 1 ? 1 : 0] = NONE;
+    }
+    find_least(&others, p);
+    for (int32_t k = 0; k < p->count; k++) {
+        int close = second[k] * (100 - percent) < best->least[k] * 100;
+        disparity[k] = second[k] != NONE && close ? (uint16_t)NONE : disparity[k];
+    }
+}
+
+static void see_from_right(const iris_stereo_pick *p, const piece *from)
+{
+    const int32_t steps = from->steps;
+    uint16_t *least = p->right_cost + p->w - 1 - from->x, *step = p->right + p->w - 1 - from->x;
+    const uint16_t *costs = from->costs;
+    int32_t k = 0;
+    for (; k < from->count && from->x + k < steps - 1; k++, costs += steps) {
+        iris_row_facing_u16(least - k, step - k, costs, from->x + k + 1, 1);
+    }
+    iris_row_facing_u16(least - k, step - k, costs, steps, from->count - k);
 }
 
 /* Those that the right picture does not confirm are none. */
@@ -67,7 +81,7 @@ static void check(uint16_t *disparity, const iris_stereo_pick *p)
 {
     for (int32_t x = 0; x < p->w; x++) {
         int32_t d = (disparity[x] + 128) >> 8;
-        int32_t apart = disparity[x] == NONE ? 0 : p->right[x - d] - d;
+        int32_t apart = disparity[x] == NONE ? 0 : p->right[p->w - 1 - x + d] - d;
         if (apart > p->config.check_px || -apart > p->config.check_px) {
             disparity[x] = NONE;
         }
@@ -92,19 +106,32 @@ static void fill(uint16_t *disparity, int32_t w)
     }
 }
 
-void iris_stereo_pick_row(uint16_t *disparity, const iris_stereo_pick *p, const uint16_t *costs)
+void iris_stereo_pick_begin_row(const iris_stereo_pick *p)
 {
-    int32_t steps = p->config.max_disparity + 1;
-    for (int32_t x = 0; x < p->w; x++) {
-        p->right_cost[x] = UINT16_MAX;
-        p->right[x] = 0;
+    memset(p->right_cost, 255, 2 * (size_t)p->w);
+    memset(p->right, 0, 2 * (size_t)p->w);
+}
+
+void iris_stereo_pick_piece(uint16_t *disparity, const iris_stereo_pick *p, uint16_t *costs, int32_t x,
+                            int32_t count)
+{
+    uint16_t step[IRIS_STEREO_PIECE], before[IRIS_STEREO_PIECE], least[IRIS_STEREO_PIECE],
+        behind[IRIS_STEREO_PIECE];
+    const iris_row_least best = {step, before, least, behind};
+    piece here = {NULL, p->config.max_disparity + 1, x, count};
+    here.costs = costs;
+    if (p->config.check_px < 255) {
+        see_from_right(p, &here);
     }
-    for (int32_t x = 0; x < p->w; x++, costs += steps) {
-        int32_t n = x < steps - 1 ? x + 1 : steps, best = least_of(costs, n);
-        int unique = is_unique(costs, n, best, p->config.uniqueness_percent);
-        disparity[x] = unique ? refine(costs, n, best) : (uint16_t)NONE;
-        see_from_right(p, costs, n, x);
+    find_least(&best, &here);
+    iris_row_parabola_u16(disparity + x, &best, count);
+    if (p->config.uniqueness_percent > 0) {
+        keep_unique(disparity + x, &here, &best, p->config.uniqueness_percent);
     }
+}
+
+void iris_stereo_pick_end_row(uint16_t *disparity, const iris_stereo_pick *p)
+{
     if (p->config.check_px < 255) {
         check(disparity, p);
     }

@@ -1,11 +1,11 @@
 #include <string.h>
 
+#include "../../foundation/kernel.h"
 #include "stereo_costs.h"
 #include "stereo_pick.h"
 
-#define BAND  IRIS_STEREO_BAND
-#define EDGE  4 /* gray levels: more than that between two pixels may be where something ends */
-#define WORST 65535
+#define BAND IRIS_STEREO_BAND
+#define EDGE 4 /* gray levels: more than that between two pixels may be where something ends */
 
 /* A band of rows, of which the paths from below are stored, and the rows behind it that these begin in. */
 typedef struct {
@@ -16,7 +16,9 @@ typedef struct {
     size_t row;      /* w times disparities */
     uint16_t *sums;  /* BAND rows */
     uint8_t *stored; /* the costs of these */
-    uint16_t *above, *below, *beside;
+    uint16_t *above, *below;
+    uint16_t *room;  /* twice as many as disparities */
+    uint16_t *leaps; /* w + 1 */
 } band;
 
 void iris_stereo_semiglobal_defaults(iris_stereo_semiglobal_config *config)
@@ -26,60 +28,40 @@ void iris_stereo_semiglobal_defaults(iris_stereo_semiglobal_config *config)
     }
 }
 
-/* One pixel further along a path: path[d] becomes costs[d] and the least of how the pixel before could have got there,
- * less the least of all there, so that sums stay small. */
-static void go_on(uint16_t *path, const uint8_t *costs, int32_t n, int32_t p1, int32_t p2)
+/* What a step of more than one disparity costs between each two pixels of so many. */
+static void set_leaps(uint16_t *leaps, const band *b, const uint8_t *gray, const uint8_t *other, int32_t n)
 {
-    int32_t least = path[0], before = WORST, own = path[0];
-    for (int32_t d = 1; d < n; d++) {
-        least = path[d] < least ? path[d] : least;
+    const iris_stereo_semiglobal_config *config = b->config;
+    const int32_t quarter = config->p2 / 4 > config->p1 ? config->p2 / 4 : config->p1;
+    for (int32_t x = 0; x < n; x++) {
+        int32_t apart = gray[x] > other[x] ? gray[x] - other[x] : other[x] - gray[x];
+        leaps[x] = (uint16_t)(apart > EDGE ? quarter : config->p2);
     }
-    for (int32_t d = 0; d < n; d++) {
-        int32_t after = d < n - 1 ? path[d + 1] : WORST, best = own;
-        int32_t step = (before < after ? before : after) + p1;
-        best = step < best ? step : best;
-        best = least + p2 < best ? least + p2 : best;
-        path[d] = (uint16_t)(costs[d] + best - least);
-        before = own;
-        own = after;
-    }
-}
-
-/* What a step of more than one disparity costs between pixels of these levels. */
-static int32_t leap(const iris_stereo_semiglobal_config *config, uint8_t a, uint8_t b)
-{
-    int32_t quarter = config->p2 / 4 > config->p1 ? config->p2 / 4 : config->p1;
-    return a - b > EDGE || b - a > EDGE ? quarter : config->p2;
 }
 
 /* A row further down or up; `from`: the row before, outside of the picture for the first one. */
-static void go_on_row(uint16_t *paths, const band *b, const uint8_t *costs, int32_t y, int32_t from)
+static void go_on_row(uint16_t *paths, uint16_t *sums, const band *b, const uint8_t *costs, int32_t y,
+                      int32_t from)
 {
-    int32_t n = b->costs.steps;
     const iris_image *left = b->costs.left;
+    const iris_row_ground ground = {costs, b->leaps, b->costs.steps, (uint16_t)b->config->p1};
     if (from < 0 || from >= left->h) {
         memset(paths, 0, 2 * b->row);
         from = y;
     }
-    const uint8_t *gray = iris_image_row(left, y), *gray_from = iris_image_row(left, from);
-    for (int32_t x = 0; x < b->costs.w; x++, paths += n, costs += n) {
-        go_on(paths, costs, n, b->config->p1, leap(b->config, gray[x], gray_from[x]));
-    }
+    set_leaps(b->leaps, b, iris_image_row(left, y), iris_image_row(left, from), left->w);
+    iris_row_paths_u16(paths, sums, &ground, left->w);
 }
 
-/* Along the row from the left (1) or the right (-1), added to the sums. */
-static void add_along(uint16_t *sums, const band *b, const uint8_t *costs, int32_t y, int32_t step)
+/* Along the row from the left and from the right, added to the sums. */
+static void add_along(uint16_t *sums, const band *b, const uint8_t *costs, int32_t y)
 {
-    int32_t n = b->costs.steps, w = b->costs.w, x = step > 0 ? 0 : w - 1, before = x;
+    const int32_t w = b->costs.w;
     const uint8_t *gray = iris_image_row(b->costs.left, y);
-    memset(b->beside, 0, 2 * (size_t)n);
-    for (int32_t k = 0; k < w; k++, before = x, x += step) {
-        size_t at = (size_t)x * (size_t)n;
-        go_on(b->beside, costs + at, n, b->config->p1, leap(b->config, gray[x], gray[before]));
-        for (int32_t d = 0; d < n; d++) {
-            sums[at + (size_t)d] = (uint16_t)(sums[at + (size_t)d] + b->beside[d]);
-        }
-    }
+    const iris_row_ground ground = {costs, b->leaps, b->costs.steps, (uint16_t)b->config->p1};
+    b->leaps[0] = b->leaps[w] = (uint16_t)b->config->p2;
+    set_leaps(b->leaps + 1, b, gray + 1, gray, w - 1);
+    iris_row_paths_along_u16(sums, b->room, &ground, w);
 }
 
 /* The paths from below, of rows first to last - 1: they begin so many rows further down as a band has. */
@@ -88,7 +70,7 @@ static void go_up(const band *b, int32_t first, int32_t last)
     int32_t h = b->costs.left->h, end = h - last < BAND ? h : last + BAND;
     for (int32_t y = end - 1; y >= first; y--) {
         const uint8_t *costs = iris_stereo_costs_pixels(&b->costs, y);
-        go_on_row(b->below, b, costs, y, y == end - 1 ? -1 : y + 1);
+        go_on_row(b->below, NULL, b, costs, y, y == end - 1 ? -1 : y + 1);
         if (y < last) {
             memcpy(b->stored + (size_t)(y - first) * b->row, costs, b->row);
             memcpy(b->sums + (size_t)(y - first) * b->row, b->below, 2 * b->row);
@@ -96,18 +78,25 @@ static void go_up(const band *b, int32_t first, int32_t last)
     }
 }
 
+static void pick_row(const band *b, uint16_t *sums, int32_t y)
+{
+    uint16_t *row = iris_image_row(b->disparity, y);
+    const int32_t w = b->costs.w;
+    iris_stereo_pick_begin_row(&b->pick);
+    for (int32_t x = 0; x < w; x += IRIS_STEREO_PIECE, sums += IRIS_STEREO_PIECE * b->costs.steps) {
+        iris_stereo_pick_piece(row, &b->pick, sums, x, w - x < IRIS_STEREO_PIECE ? w - x : IRIS_STEREO_PIECE);
+    }
+    iris_stereo_pick_end_row(row, &b->pick);
+}
+
 static void go_down(const band *b, int32_t first, int32_t last)
 {
     for (int32_t y = first; y < last; y++) {
         const uint8_t *costs = b->stored + (size_t)(y - first) * b->row;
         uint16_t *sums = b->sums + (size_t)(y - first) * b->row;
-        go_on_row(b->above, b, costs, y, y - 1);
-        for (size_t i = 0; i < b->row; i++) {
-            sums[i] = (uint16_t)(sums[i] + b->above[i]);
-        }
-        add_along(sums, b, costs, y, 1);
-        add_along(sums, b, costs, y, -1);
-        iris_stereo_pick_row(iris_image_row(b->disparity, y), &b->pick, sums);
+        go_on_row(b->above, sums, b, costs, y, y - 1);
+        add_along(sums, b, costs, y);
+        pick_row(b, sums, y);
     }
 }
 
@@ -123,8 +112,9 @@ static iris_status begin(band *b, const iris_image *left, const iris_image *righ
     b->stored = iris_scratch_take(scratch, BAND * b->row);
     b->above = iris_scratch_take(scratch, 2 * b->row);
     b->below = iris_scratch_take(scratch, 2 * b->row);
-    b->beside = iris_scratch_take(scratch, 2 * ((size_t)config->max_disparity + 1));
-    int good = b->sums && b->stored && b->above && b->below && b->beside;
+    b->room = iris_scratch_take(scratch, 4 * ((size_t)config->max_disparity + 1));
+    b->leaps = iris_scratch_take(scratch, 2 * (size_t)left->w + 2);
+    int good = b->sums && b->stored && b->above && b->below && b->room && b->leaps;
     return status == IRIS_OK && !good ? IRIS_ERR_SCRATCH : status;
 }
 

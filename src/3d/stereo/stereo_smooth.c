@@ -1,5 +1,6 @@
 #include <string.h>
 
+#include "../../foundation/kernel.h"
 #include "iris/3d/stereo.h"
 
 /* Puts a match among those that are sorted. */
@@ -28,6 +29,34 @@ static uint16_t median_at(const uint16_t *const rows[5], int32_t x, int32_t w)
     return sorted[(count - 1) / 2];
 }
 
+/* Is there a place without a match in this column? */
+static int has_hole(const uint16_t *const rows[5], int32_t x)
+{
+    return rows[0][x] == 0 || rows[1][x] == 0 || rows[2][x] == 0 || rows[3][x] == 0 || rows[4][x] == 0;
+}
+
+/* All medians of a row, and then again those near its ends and around places without a match. */
+static void smooth_row(uint16_t *row, const uint16_t *const rows[5], int32_t w)
+{
+    int32_t hole = -3; /* the last column with one */
+    if (w < 5 || !rows[0] || !rows[1] || !rows[3] || !rows[4]) {
+        for (int32_t x = 0; x < w; x++) {
+            row[x] = rows[2][x] == 0 ? 0 : median_at(rows, x, w);
+        }
+        return;
+    }
+    const uint16_t *const inner[5] = {rows[0] + 2, rows[1] + 2, rows[2] + 2, rows[3] + 2, rows[4] + 2};
+    iris_row_median25_u16(row + 2, inner, w - 4);
+    hole = has_hole(rows, 0) ? 0 : hole;
+    hole = has_hole(rows, 1) ? 1 : hole;
+    for (int32_t x = 0; x < w; x++) {
+        hole = x + 2 < w && has_hole(rows, x + 2) ? x + 2 : hole;
+        if (x < 2 || x >= w - 2 || hole >= x - 2) {
+            row[x] = rows[2][x] == 0 ? 0 : median_at(rows, x, w);
+        }
+    }
+}
+
 iris_status iris_stereo_smooth(const iris_image *disparity, iris_scratch *scratch)
 {
     iris_status status = disparity && scratch ? iris_image_check(disparity) : IRIS_ERR_ARG;
@@ -50,9 +79,7 @@ iris_status iris_stereo_smooth(const iris_image *disparity, iris_scratch *scratc
         const uint16_t *rows[5] = {y > 1 ? was[(y - 2) % 3] : NULL, y > 0 ? was[(y - 1) % 3] : NULL,
                                    was[y % 3], y < h - 1 ? iris_image_row(disparity, y + 1) : NULL,
                                    y < h - 2 ? iris_image_row(disparity, y + 2) : NULL};
-        for (int32_t x = 0; x < disparity->w; x++) {
-            row[x] = row[x] == 0 ? 0 : median_at(rows, x, disparity->w);
-        }
+        smooth_row(row, rows, disparity->w);
     }
     iris_scratch_release(scratch, mark);
     return was[2] ? IRIS_OK : IRIS_ERR_SCRATCH;
