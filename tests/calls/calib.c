@@ -1,0 +1,99 @@
+/* Cameras from points that are known: scenes and boards. */
+#include "iris/3d/calib_board.h"
+#include "iris/3d/calib_scene.h"
+
+#include "calls.h"
+#include "space.h"
+
+/* Seldom so many points that wrong ones are left out, and boards that tell of a camera: that takes long. */
+enum { SCENE_POINTS = 14, VIEWS = 3, VIEW_POINTS = 9 };
+
+static void scene(void)
+{
+    iris_scene_point points[SCENE_POINTS];
+    iris_sensor sensor = draw_sensor((iris_size){640, 480}, 10);
+    int32_t count = draw_chance(80) ? 13 : draw_int(0, 9);
+    int fits = count >= 0 && count <= SCENE_POINTS, flat = draw_chance(8);
+    sensor.lens = (iris_lens){.k1 = 0};
+    if (fits && draw_chance(2)) {
+        count = count < 6 ? 7 : count;
+    }
+    for (int i = 0; i < SCENE_POINTS; i++) {
+        points[i].world = draw_chance(30) ? draw_vec3(20) : draw_seen(&sensor, 5, 20);
+        points[i].world.z = flat ? 0 : points[i].world.z;
+        points[i].image = (iris_vec2){0, 0};
+        (void)iris_sensor_project(&points[i].image, NULL, &sensor, points[i].world);
+        points[i].image.x += draw_chance(20) ? draw_q32(-99, 99) : 0;
+        if (i > 0 && draw_chance(60)) {
+            points[i] = points[draw_below((uint32_t)i)];
+        }
+        draw_spoiled(&points[i].world.x, 5, 150);
+    }
+    iris_scene_fit *fit = OR_NULL(draw_results(sizeof *fit));
+    size_t room = (size_t)(fits ? count : SCENE_POINTS);
+    uint8_t *used = OR_NULL(draw_results(room));
+    const iris_scene_point *given = OR_NULL(draw_given(points, room * sizeof *points));
+    count = fits || count < 0 || count > IRIS_SCENE_POINTS_MAX ? count : 9;
+    iris_scratch *scratch = draw_scratch(IRIS_SCENE_SCRATCH_BYTES(count >= 0 && count <= 1024 ? count : 0));
+    CALL(iris_scene_calibrate(fit, used, given, count, scratch));
+}
+
+/* A view of some points of a board, in front of the camera; half of the boards face it. */
+static void see_board(iris_board_point *points, int32_t count, iris_sensor *sensor)
+{
+    iris_vec3 tilt = {draw_q32(-1, 1), draw_q32(-1, 1), draw_q32(-1, 1)};
+    iris_rotation_from_vector(&sensor->pose.turn, tilt);
+    iris_pose turn = {.turn = sensor->pose.turn};
+    iris_vec3 back =
+        iris_pose_out_of(&turn, (iris_vec3){draw_q32(-20, 20), draw_q32(-20, 20), draw_q32(-400, -250)});
+    sensor->pose.place = iris_vec3_add(back, (iris_vec3){30 * IRIS_Q32_ONE, 30 * IRIS_Q32_ONE, 0});
+    for (int32_t i = 0; i < count; i++) {
+        iris_vec3 world = {30 * (i % 3) * IRIS_Q32_ONE, 30 * (i / 3) * IRIS_Q32_ONE, 0};
+        points[i].board = (iris_vec2){world.x, world.y};
+        points[i].image = (iris_vec2){0, 0};
+        (void)iris_sensor_project(&points[i].image, NULL, sensor, world);
+        points[i].image.x += draw_within(INT32_MIN, INT32_MAX) / 8;
+        if (i > 0 && draw_chance(100)) {
+            points[i] = points[draw_below((uint32_t)i)];
+        }
+        draw_spoiled(&points[i].board.x, 4, 200);
+    }
+}
+
+static void board(void)
+{
+    iris_board_view views[VIEWS];
+    iris_size size = {640, 480};
+    iris_sensor sensor = draw_sensor(size, 0);
+    iris_board_config config = {draw_chance(4) ? draw_below(9) : 0, size};
+    int32_t count = draw_chance(3) ? draw_int(0, VIEWS) : 2;
+    int fits = count >= 0 && count <= VIEWS, tells = draw_chance(6);
+    sensor.lens = (iris_lens){.k1 = sensor.lens.k1, .k2 = sensor.lens.k2};
+    for (int v = 0; v < VIEWS; v++) {
+        iris_board_point points[VIEW_POINTS];
+        int32_t n = draw_chance(12) ? draw_within(0, VIEW_POINTS) : tells ? 6 : 4;
+        see_board(points, VIEW_POINTS, &sensor);
+        views[v] = (iris_board_view){OR_NULL(draw_given(points, (size_t)n * sizeof *points)), n};
+        views[v].count = draw_chance(100) ? draw_int(INT32_MIN, 0) : n;
+        if (views[v].count > n) {
+            views[v].count = draw_chance(2) ? n : IRIS_BOARD_POINTS_MAX + 1;
+        }
+    }
+    if (draw_chance(10)) {
+        *(draw_chance(2) ? &config.size.w : &config.size.h) = draw_int(0, IRIS_SIDE_MAX);
+    }
+    size_t room = (size_t)(fits ? count : 0);
+    iris_board_fit *fit = OR_NULL(draw_results(sizeof *fit));
+    iris_board_place *places = OR_NULL(draw_results(room * sizeof *places));
+    const iris_board_view *given = OR_NULL(draw_given(views, room * sizeof *views));
+    const iris_board_config *with = draw_chance(8) ? NULL : draw_given(&config, sizeof config);
+    count = fits || count < 0 || count > IRIS_BOARD_VIEWS_MAX ? count : 0;
+    iris_scratch *scratch = draw_scratch(IRIS_BOARD_SCRATCH_BYTES(count >= 0 && count <= VIEWS ? count : 0));
+    CALL(iris_board_calibrate(fit, places, given, count, with, scratch));
+}
+
+const random_call calls_calib[] = {
+    {"iris_scene_calibrate", scene},
+    {"iris_board_calibrate", board},
+    {NULL, NULL},
+};
