@@ -96,13 +96,24 @@ refuses "--board" 2 "board: CxR, .*, not '9'" board --board 9 --corners view0.tx
 refuses "--square" 2 "square: a length .*, not '25ft'" board --board 8x6 --square 25ft --corners view0.txt
 refuses "--model" 2 "model: any of .*, not 'k4'" board --board 8x6 --model k4 --corners view0.txt
 refuses "--image-size" 2 "image-size: WxH" board --board 8x6 --image-size 640 --corners view0.txt
-refuses "pictures" 2 "lists of corners: --corners FILE" board --board 8x6 view0.txt
-refuses "no lists" 2 "lists of corners: --corners FILE" board --board 8x6 --corners
+refuses "no lists" 2 "board takes pictures, or lists of corners behind --corners" board --board 8x6 --corners
+refuses "no pictures" 2 "board takes pictures, or lists of corners behind --corners" board --board 8x6
+refuses "a list without --corners" 1 "view0.txt: neither BMP nor PGM/PPM" board --board 8x6 view0.txt
+refuses "--points with pictures" 2 "points: only with lists of corners" board --points board.csv view0.txt
+refuses "a board too small for pictures" 2 "board: CxR, .*, not '2x6'" board --board 2x6 view0.txt
+{ printf 'P5 40 30 255\n'; yes 99 | head -c 1200; } > gray.pgm
+refuses "a picture without a board" 1 "gray.pgm: no board is seen" board --board 8x6 gray.pgm
 
 if [ -d "$data/calib/chessboard" ]; then
     works "13 corner lists" board --board 9x6 --square 25mm --image-size 640x480 --json --corners "$data"/calib/chessboard/*_corners.txt
     near rms_px 0.195419 0.00002; near fx 532.8272 0.05; near v0 233.85575 0.05
     near 'deviations":."fx' 0.437896 0.0005; grep -q '"k1":0.00542[0-9]*,"k2":0.0415[0-9]*,"k3":0.0887' out; say $? "deviations as OpenCV's"
+    works "4 pictures" board --board 9x6 --square 25mm --json "$data"/calib/chessboard/left*.pgm -o seen.camera
+    near rms_px 0.2 0.02; near fx 534.7 2; near fy 535 2; near u0 345.5 3; near v0 234 3
+    [ "$(grep -o '"file":' out | wc -l)" -eq 4 ] && grep -q '^size 640 480' seen.camera; say $? "and their size, found"
+    run board --board 9x6 --square 25mm "$data/calib/chessboard/left01.pgm" gray.pgm "$data/calib/chessboard/left05.pgm" nowhere.pgm "$data/calib/chessboard/left08.pgm"
+    [ $code -eq 1 ] && [ "$(wc -l < err)" -eq 2 ] && grep -q 'nowhere.pgm: ' err && grep -q 'gray.pgm: 40x30 pixels, but the first picture has 640x480' err && grep -q '^3 views, off by 0\.' out
+    say $? "what cannot be used is told, the others calibrate"
     works "Zhang's five views" board --points "$data/calib/zhang/Model.txt" --model skew --json --corners "$data"/calib/zhang/data?.txt
     near fx 832.5 0.01; near skew 0.204494 0.001; near u0 303.959 0.001; near v0 206.585 0.001; near k1 -0.228601 0.00001; near k2 0.190353 0.0001
 else

@@ -4,45 +4,55 @@
 #include <string.h>
 
 #include "args.h"
+#include "board_option.h"
 #include "calibrate.h"
 #include "calibrate_json.h"
 #include "complain.h"
 #include "file_write.h"
+#include "frame_reader.h"
+#include "inputs.h"
 #include "iris/3d/calib_board.h"
 #include "iris/3d/camera_text.h"
 #include "number_file.h"
 #include "one_line.h"
+#include "progress.h"
 
 static const char help[] =
-    "usage: iris calibrate board (--board CxR --square SIZE | --points FILE) [--model TERMS]\n"
+    "usage: iris calibrate board --board CxR [--square SIZE] [--model TERMS] [--json] PICTURE...\n"
+    "                            [-o CAMERA]\n"
+    "       iris calibrate board (--board CxR [--square SIZE] | --points FILE) [--model TERMS]\n"
     "                            [--image-size WxH] [--json] --corners FILE... [-o CAMERA]\n\n"
     "From views of a board with known points, such as the inner corners of a chessboard, to the camera,\n"
-    "its lens, and how well both are known.\n\n"
+    "its lens, and how well both are known. The views are pictures, in which the corners are found as by\n"
+    "iris corners, or lists of corners. A picture in which the board is not seen is told, and the others\n"
+    "go on.\n\n"
     "  --board CxR      inner corners in a row, and rows: 9x6\n"
     "  --square SIZE    of the board's squares: 25mm, 2.5cm, 0.025m, 1in, or 25 of no unit. Default: 1\n"
     "  --points FILE    any other board: a point per line, x y, in any unit\n"
     "  --corners        the files are lists of corners: x y in pixels, in the board's order, row by row\n"
     "  --model TERMS    what is looked for beside focal lengths, principal point, k1, and k2: any of\n"
     "                   skew, k3, and tangential, with commas between, or none. Default: k3,tangential\n"
-    "  --image-size WxH of the pictures, to tell how much of them the corners cover\n"
+    "  --image-size WxH of the pictures behind lists of corners, to tell how much of them is covered\n"
     "  --json           one JSON object\n"
-    "  -o CAMERA        writes a camera file: a text of the values; --image-size is needed with it. -: to\n"
-    "                   standard output, and nothing else\n\n"
+    "  -o CAMERA        writes a camera file: a text of the values; lists of corners need --image-size, "
+    "too.\n"
+    "                   -: to standard output, and nothing else\n\n"
     "Ten views that tilt the board by 30 degrees and more, this way and that, and together fill the\n"
     "picture, are good. JSON has fx, fy, skew, u0, v0, k1, k2, k3, p1, p2 (the lens's terms as OpenCV's),\n"
     "rms_px, deviations (the standard deviation of each, null where it was not looked for), verdict (a\n"
     "list of sentences; empty: nothing is to be said against it), and views: file, rms_px, turn (a vector\n"
     "in radians) and shift, which bring the board's points to the camera, and corners.\n\n"
-    "example: iris calibrate board --board 9x6 --square 25mm --image-size 640x480 -o left.camera\n"
-    "                 --corners left*_corners.txt\n";
+    "example: iris calibrate board --board 9x6 --square 25mm left*.pgm -o left.camera\n"
+    "         iris calibrate board --board 9x6 --square 25mm --corners left*_corners.txt\n";
 
-#define POINTS 1024 /* of a board */
+#define POINTS BOARD_OPTION_POINTS /* of a board */
 
 typedef struct {
-    char **files;
+    char *files[IRIS_BOARD_VIEWS_MAX]; /* of the views */
     iris_board_view views[IRIS_BOARD_VIEWS_MAX];
     iris_board_place places[IRIS_BOARD_VIEWS_MAX];
     int32_t count;
+    iris_board_grid grid; /* of pictures */
     iris_vec2 board[POINTS];
     int points;
     const char *unit;
@@ -140,28 +150,76 @@ static int read_size(iris_size *size, const char *text)
     return 1;
 }
 
-/* The corners of a view beside the board's points. */
-static int read_view(session *s, int32_t v)
+/* Corners beside the board's points: one more view, of the file. */
+static int add_view(session *s, char *file, const iris_vec2 *corners)
 {
-    static iris_vec2 corners[POINTS];
-    number_table table = {&corners[0].x, NULL, 0, POINTS, 2};
-    if (!number_file_read(&table, s->files[v])) {
-        return 0;
-    }
-    if (table.rows != s->points) {
-        complain(s->files[v], "%d corners, but the board has %d", table.rows, s->points);
-        return 0;
-    }
     iris_board_point *points = malloc(((size_t)s->points + 1) * sizeof *points);
     if (!points) {
-        complain(s->files[v], "not enough memory");
+        complain(file, "not enough memory");
         return 0;
     }
     for (int i = 0; i < s->points; i++) {
         points[i] = (iris_board_point){s->board[i], corners[i]};
     }
-    s->views[v] = (iris_board_view){points, s->points};
+    s->files[s->count] = file;
+    s->views[s->count++] = (iris_board_view){points, s->points};
     return 1;
+}
+
+static int read_list(session *s, char *file)
+{
+    static iris_vec2 corners[POINTS];
+    number_table table = {&corners[0].x, NULL, 0, POINTS, 2};
+    if (!number_file_read(&table, file)) {
+        return 0;
+    }
+    if (table.rows != s->points) {
+        complain(file, "%d corners, but the board has %d", table.rows, s->points);
+        return 0;
+    }
+    return add_view(s, file, corners);
+}
+
+/* Finds the board in a picture. */
+static int find_board(session *s, char *file, const iris_image *gray)
+{
+    static iris_vec2 corners[POINTS];
+    iris_scratch scratch;
+    const iris_size size = {gray->w, gray->h};
+    const size_t bytes = board_option_bytes(&s->grid, size);
+    if (s->config.size.w == 0) {
+        s->config.size = size;
+    }
+    if (s->config.size.w != size.w || s->config.size.h != size.h) {
+        complain(file, "%dx%d pixels, but the first picture has %dx%d: one camera is needed", (int)size.w,
+                 (int)size.h, (int)s->config.size.w, (int)s->config.size.h);
+        return 0;
+    }
+    void *memory = malloc(bytes);
+    if (!memory) {
+        complain(file, "not enough memory");
+        return 0;
+    }
+    int found = iris_scratch_init(&scratch, memory, bytes) == IRIS_OK &&
+                board_option_find(corners, &s->grid, gray, &scratch, file) == EXIT_DONE &&
+                add_view(s, file, corners);
+    free(memory);
+    return found;
+}
+
+static int read_picture(session *s, char *file)
+{
+    static frame_reader reader;
+    picture_buffer picture = {0};
+    iris_status status = frame_reader_open(&reader, file);
+    status = status == IRIS_OK ? frame_reader_next(&reader, &picture, IRIS_GRAY8) : status;
+    frame_reader_close(&reader);
+    if (status != IRIS_OK) {
+        complain(file, "%s", frame_reader_problem(&reader));
+    }
+    int found = status == IRIS_OK && find_board(s, file, &picture.image);
+    picture_free(&picture);
+    return found;
 }
 
 static void complain_flaw(const session *s)
@@ -339,25 +397,64 @@ static int print(const session *s, const char *output, int json)
     return EXIT_DONE;
 }
 
-static int run(session *s, const char *output, int json)
+static int calibrate(session *s, const char *output, int json)
 {
     static IRIS_SCRATCH_BUFFER(memory, IRIS_BOARD_SCRATCH_BYTES(IRIS_BOARD_VIEWS_MAX));
     iris_scratch scratch;
-    int exit_code = EXIT_BAD_DATA, read = 1;
-    for (int32_t v = 0; v < s->count && read; v++) {
-        read = read_view(s, v);
-    }
     (void)iris_scratch_init(&scratch, memory.memory, sizeof memory.memory);
-    if (read &&
-        iris_board_calibrate(&s->fit, s->places, s->views, s->count, &s->config, &scratch) != IRIS_OK) {
+    if (iris_board_calibrate(&s->fit, s->places, s->views, s->count, &s->config, &scratch) != IRIS_OK) {
         complain_flaw(s);
-    } else if (read) {
-        exit_code = print(s, output, json);
+        return EXIT_BAD_DATA;
+    }
+    return print(s, output, json);
+}
+
+/* Of lists of corners all must be good; pictures without the board are left out. */
+static int run(session *s, input_list *inputs, int corners, const texts *given, int json)
+{
+    int bad = 0, exit_code = EXIT_BAD_DATA;
+    s->count = 0;
+    for (int i = 0; i < inputs->count && !(bad && corners); i++) {
+        if (!corners) {
+            progress_show("calibrate", i + 1, inputs->count, inputs->paths[i]);
+        }
+        bad |= !(corners ? read_list(s, inputs->paths[i]) : read_picture(s, inputs->paths[i]));
+    }
+    progress_clear();
+    if (s->count > 0 && !(bad && corners)) {
+        exit_code = calibrate(s, given->output, json);
     }
     for (int32_t v = 0; v < s->count; v++) {
         free((void *)(uintptr_t)s->views[v].points);
     }
-    return exit_code;
+    return bad ? EXIT_BAD_DATA : exit_code;
+}
+
+/* The board, and the inputs it is seen in. Returns an exit code. */
+static int prepare(session *s, const texts *given, const arguments *args, int corners)
+{
+    if (given->output && corners && !given->size) {
+        complain("-o", "the size of the pictures is needed, too: --image-size WxH");
+        return EXIT_BAD_CALL;
+    }
+    if (!read_model(&s->config.model, given->model) ||
+        (given->size && !read_size(&s->config.size, given->size))) {
+        return EXIT_BAD_CALL;
+    }
+    if (args->operand_count < 1) {
+        complain(
+            NULL,
+            "board takes pictures, or lists of corners behind --corners (see iris calibrate board --help)");
+        return EXIT_BAD_CALL;
+    }
+    if (!corners && given->points) {
+        complain("--points", "only with lists of corners: --corners FILE...");
+        return EXIT_BAD_CALL;
+    }
+    if (!corners && given->board && !board_option_read(&s->grid, given->board)) {
+        return EXIT_BAD_CALL;
+    }
+    return read_board(s, given);
 }
 
 int calibrate_board(int argc, char **argv)
@@ -374,25 +471,23 @@ int calibrate_board(int argc, char **argv)
     if (exit_code != ARGS_GO) {
         return exit_code;
     }
-    if (given.output && (!given.size || (json && strcmp(given.output, "-") == 0))) {
-        complain("-o", given.size ? "not to standard output together with --json"
-                                  : "the size of the pictures is needed, too: --image-size WxH");
+    if (given.output && json && strcmp(given.output, "-") == 0) {
+        complain("-o", "not to standard output together with --json");
         return EXIT_BAD_CALL;
     }
-    if (!read_model(&s.config.model, given.model) || (given.size && !read_size(&s.config.size, given.size))) {
-        return EXIT_BAD_CALL;
-    }
-    exit_code = read_board(&s, &given);
+    exit_code = prepare(&s, &given, &args, corners);
     if (exit_code != EXIT_DONE) {
         return exit_code;
     }
-    if (!corners || args.operand_count < 1 || args.operand_count > IRIS_BOARD_VIEWS_MAX) {
-        complain(NULL,
-                 "board takes 1 to %d lists of corners: --corners FILE... (see iris calibrate board --help)",
-                 IRIS_BOARD_VIEWS_MAX);
-        return EXIT_BAD_CALL;
+    input_list inputs;
+    exit_code = inputs_expand(&inputs, args.operand_count, args.operands);
+    if (inputs.count > IRIS_BOARD_VIEWS_MAX) {
+        complain(NULL, "%d views: at most %d", inputs.count, IRIS_BOARD_VIEWS_MAX);
+        exit_code = EXIT_BAD_CALL;
+    } else {
+        const int done = run(&s, &inputs, corners, &given, json);
+        exit_code = done == EXIT_DONE ? exit_code : done;
     }
-    s.files = args.operands;
-    s.count = args.operand_count;
-    return run(&s, given.output, json);
+    inputs_free(&inputs);
+    return exit_code;
 }

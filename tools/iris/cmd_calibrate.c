@@ -7,11 +7,11 @@
 
 static const char help[] =
     "usage: iris calibrate scene POINTS3D POINTS2D    (iris calibrate scene --help)\n"
-    "       iris calibrate board --board CxR --corners FILE...    (iris calibrate board --help)\n\n"
+    "       iris calibrate board --board CxR PICTURE...    (iris calibrate board --help)\n\n"
     "What a camera is and where it stands, from points that are known: scene, from one picture of six\n"
     "points in space or more; board, from pictures of a flat pattern, with the lens.\n\n"
     "example: iris calibrate scene corners3d.txt corners2d.txt\n"
-    "         iris calibrate board --board 9x6 --square 25mm --corners left*_corners.txt\n";
+    "         iris calibrate board --board 9x6 --square 25mm left*.pgm\n";
 
 int cmd_calibrate(int argc, char **argv)
 {
