@@ -94,6 +94,15 @@ static int32_t ones(uint32_t word)
     return (int32_t)((word * 0x01010101u) >> 24);
 }
 
+int32_t iris_voxel_row_rank(const uint32_t *bits, int32_t x)
+{
+    int32_t before = 0;
+    for (int32_t i = 0; i < x / 32; i++) {
+        before += ones(bits[i]);
+    }
+    return x % 32 == 0 ? before : before + ones(bits[x / 32] & (UINT32_MAX >> (32 - x % 32)));
+}
+
 iris_status iris_voxel_count(int32_t *count, const iris_voxel_world *world)
 {
     iris_status status = count ? iris_voxel_check(world) : IRIS_ERR_ARG;
@@ -190,4 +199,15 @@ iris_status iris_voxel_surface(iris_voxel *voxels, int32_t room, int32_t *count,
     }
     *count = found;
     return found > room && room > 0 ? IRIS_ERR_FULL : IRIS_OK;
+}
+
+void iris_voxel_surface_rows(int32_t *rows, const iris_voxel_world *world)
+{
+    uint32_t surface[IRIS_VOXEL_ROW_WORDS(IRIS_VOXEL_SIDE_MAX)] = {0};
+    int32_t count = 0;
+    for (int32_t i = 0; i < world->counts[1] * world->counts[2]; i++) {
+        (void)iris_voxel_surface_row(surface, world, i % world->counts[1], i / world->counts[1]);
+        rows[i] = count;
+        count += iris_voxel_row_rank(surface, world->counts[0]);
+    }
 }

@@ -9,6 +9,12 @@ iris_status iris_voxel_check(const iris_voxel_world *world);
 
 int iris_voxel_is_inside(const iris_voxel_world *world, iris_voxel voxel);
 
+/* How many bits of a row are set before bit x. */
+int32_t iris_voxel_row_rank(const uint32_t *bits, int32_t x);
+
+/* How many voxels at the surface come before each row: counts[1] * counts[2] numbers, in the order of rows. */
+void iris_voxel_surface_rows(int32_t *rows, const iris_voxel_world *world);
+
 /* Along axis 0, 1, or 2. */
 static inline iris_q32 iris_voxel_coordinate(iris_vec3 a, int axis)
 {
