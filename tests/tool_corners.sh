@@ -41,6 +41,29 @@ for word in 9 9x 2x6 9x65 9x6x1 x -9x6; do
     refuses "--board $word" 2 "board: CxR, .*, not '$word'" "--board=$word" board.pgm
 done
 
+# 5x4 circles of radius 5, 20 pixels apart, the first at 30, 25; and 3x5 shifted ones, the first at 25, 25.
+circles() { # circles SHIFTED
+    LC_ALL=C awk -v shifted="$1" 'BEGIN { print "P5 160 120 255"
+        for (y = 0; y < 120; y++) { for (x = 0; x < 160; x++) { level = 120
+            for (r = 0; r < 4 + shifted; r++) for (c = 0; c < 5 - 2 * shifted; c++) {
+                u = shifted ? 25 + 36 * c + 18 * (r % 2) : 30 + 20 * c; v = shifted ? 25 + 18 * r : 25 + 20 * r
+                d = (x - u) ^ 2 + (y - v) ^ 2; level = d < 25 ? 30 : d == 25 ? 75 : level }
+            printf("%c", level) } } }'
+}
+circles 0 > circles.pgm
+works "--circles" --board 5x4 --circles circles.pgm
+awk '{ d = $1 - 30 - 20 * ((NR - 1) % 5); e = $2 - 25 - 20 * int((NR - 1) / 5); if (d * d + e * e > 0.001) bad = 1 }
+    END { exit bad || NR != 20 }' out
+say $? "their centers, in order"
+circles 1 > shifted.pgm
+works "--shifted-circles" --board 3x5 --shifted-circles shifted.pgm
+awk '{ r = int((NR - 1) / 3); d = $1 - 25 - 36 * ((NR - 1) % 3) - 18 * (r % 2); e = $2 - 25 - 18 * r; if (d * d + e * e > 0.001) bad = 1 }
+    END { exit bad || NR != 15 }' out
+say $? "their centers, row by row"
+refuses "circles are no corners" 1 "no board is seen, of 5x4 or any other corners" --board 5x4 circles.pgm
+refuses "more circles" 1 "no board of 6x4 circles: 20 are seen, over 5x4" --board 6x4 --circles circles.pgm
+refuses "either circles" 2 "circles: not together with --shifted-circles" --board 3x5 --circles --shifted-circles shifted.pgm
+
 if [ -d "$data/calib/chessboard" ]; then
     for n in 01 05 08 14; do
         works "left$n" --board 9x6 "$data/calib/chessboard/left$n.pgm"

@@ -1,5 +1,5 @@
-/* Boards in pictures that were made in double precision, so that it is known where their corners are: found, in order, and
- * to a fraction of a pixel; what is no board is refused with the reason. */
+/* Boards in pictures that were made in double precision, so that it is known where their corners are: found, in
+ * order, and to a fraction of a pixel; what is no board is refused with the reason. */
 #include "iris/3d/board_find.h"
 
 #include <stdio.h>
@@ -33,47 +33,14 @@ static iris_image view_of(int w, int h)
 
 static void know(const board_scene *s)
 {
-    for (int k = 0; k < s->columns * s->rows; k++) {
-        double at[2];
-        scene_point(at, s, k);
-        scene_show(truth[k], s, at[0], at[1]);
-    }
-}
-
-/* The least distance between lines of points next to each other, and from the picture's edge. */
-static double room_of(const board_scene *s, int w, int h)
-{
-    double least = 1e9;
-    for (int k = 0; k < s->columns * s->rows; k++) {
-        const int right = k % s->columns < s->columns - 1 ? k + 1 : k - 1,
-                  down = k / s->columns < s->rows - 1 ? k + s->columns : k - s->columns;
-        const double ax = truth[right][0] - truth[k][0], ay = truth[right][1] - truth[k][1];
-        const double bx = truth[down][0] - truth[k][0], by = truth[down][1] - truth[k][1];
-        least = fmin(least, fabs(ax * by - ay * bx) / fmax(hypot(ax, ay), hypot(bx, by)));
-        least = fmin(least, fmin(truth[k][0], w - 1 - truth[k][0]));
-        least = fmin(least, fmin(truth[k][1], h - 1 - truth[k][1]));
-    }
-    return least;
+    scene_know(truth, s);
 }
 
 /* Any pose in which lines are `least` pixels apart. */
 static board_scene random_scene(int columns, int rows, double tilt, double least)
 {
-    board_scene s = {.kind = SCENE_CHESS,
-                     .columns = columns,
-                     .rows = rows,
-                     .focal = 300,
-                     .middle = {(W - 1) / 2.0, (H - 1) / 2.0},
-                     .radius = 0.3,
-                     .dark = 30,
-                     .bright = 220,
-                     .border = 0.7};
-    do {
-        s.bend = scene_random(-0.1, 0.3);
-        scene_turn(&s, scene_random(-3.1416, 3.1416), scene_random(0, tilt), scene_random(0, 6.2832));
-        scene_place(&s, scene_random(-60, 60), scene_random(-40, 40), scene_random(6, 30));
-        know(&s);
-    } while (!(s.shift[2] > 1 && room_of(&s, W, H) > least));
+    board_scene s = scene_of(SCENE_CHESS, columns, rows, W, H);
+    scene_pose(truth, &s, tilt, least);
     return s;
 }
 
@@ -91,14 +58,6 @@ static iris_status find(const iris_image *image, int columns, int rows)
     return status;
 }
 
-/* Which of the true points is in place k when the board is turned by quarters. */
-static int turned(const board_scene *s, int turn, int k)
-{
-    const int c = s->columns, r = s->rows;
-    const int x = k % c, y = k / c;
-    return turn == 0 ? k : turn == 2 ? c * r - 1 - k : turn == 1 ? x * c + (c - 1 - y) : (c - 1 - x) * c + y;
-}
-
 typedef struct {
     double squares, most;
     int count;
@@ -110,15 +69,15 @@ static int compare(errors *e, const board_scene *s)
     int best = -1;
     double least = 1e9;
     for (int turn = 0; turn < 4; turn++) {
-        double off = hypot(real(found[0].x) - truth[turned(s, turn, 0)][0],
-                           real(found[0].y) - truth[turned(s, turn, 0)][1]);
+        double off = hypot(real(found[0].x) - truth[scene_turned(s, turn, 0)][0],
+                           real(found[0].y) - truth[scene_turned(s, turn, 0)][1]);
         if ((!(turn & 1) || s->columns == s->rows) && off < least) {
             least = off;
             best = turn;
         }
     }
     for (int k = 0; k < s->columns * s->rows; k++) {
-        const double *at = truth[turned(s, best, k)];
+        const double *at = truth[scene_turned(s, best, k)];
         const double off = hypot(real(found[k].x) - at[0], real(found[k].y) - at[1]);
         e->squares += off * off;
         e->most = fmax(e->most, off);
@@ -133,7 +92,8 @@ static int turn_wanted(const board_scene *s)
     int best = 0;
     double least = 9;
     for (int turn = 0; turn < 4; turn++) {
-        const double *from = truth[turned(s, turn, 0)], *to = truth[turned(s, turn, s->columns - 1)];
+        const double *from = truth[scene_turned(s, turn, 0)],
+                     *to = truth[scene_turned(s, turn, s->columns - 1)];
         const int dark = turn == 0 || (turn == 2 ? (s->columns + s->rows) % 2 == 0 : s->columns % 2 == 0);
         const double angle = fabs(atan2(to[1] - from[1], to[0] - from[0]));
         if (dark && (!(turn & 1) || s->columns == s->rows) && angle < least) {
@@ -184,21 +144,15 @@ static void random_views(void **state)
 /* 9x6 corners that face the camera, 24 pixels apart, the first at (64, 60). */
 static board_scene plain_scene(void)
 {
-    board_scene s = {.kind = SCENE_CHESS,
-                     .columns = 9,
-                     .rows = 6,
-                     .focal = 300,
-                     .middle = {(W - 1) / 2.0, (H - 1) / 2.0},
-                     .dark = 30,
-                     .bright = 220,
-                     .border = 0.7};
+    board_scene s = scene_of(SCENE_CHESS, 9, 6, W, H);
     scene_turn(&s, 0, 0, 0);
     scene_place(&s, 0, 0, 12.5);
     know(&s);
     return s;
 }
 
-/* By whole turns of quarters, mirrored, and in negative: the order follows the board, but a mirror image has none of its own. */
+/* By whole turns of quarters, mirrored, and in negative: the order follows the board, but a mirror image has none
+ * of its own. */
 static void other_ways_round(void **state)
 {
     (void)state;

@@ -18,6 +18,7 @@ typedef struct {
     double radius;       /* of circles */
     double dark, bright; /* levels */
     double border;       /* width of the bright rim around the squares */
+    int w, h;            /* of the picture */
     int clutter;         /* what is around the board: 0 gray, 1 stripes, squares, and dots */
 } board_scene;
 
@@ -48,7 +49,8 @@ static inline void scene_turn(board_scene *s, double roll, double tilt, double a
 /* Puts the board's middle on a ray through (x, y) pixels beside the picture's middle, `away` squares away. */
 static inline void scene_place(board_scene *s, double x, double y, double away)
 {
-    const double mx = (s->columns - 1) / 2.0, my = (s->rows - 1) / 2.0;
+    const double mx = (s->kind == SCENE_SHIFTED ? 2 * s->columns - 1 : s->columns - 1) / 2.0,
+                 my = (s->rows - 1) / 2.0;
     const double at[3] = {x / s->focal * away, y / s->focal * away, away};
     for (int k = 0; k < 3; k++) {
         s->shift[k] = at[k] - s->turn[3 * k] * mx - s->turn[3 * k + 1] * my;
@@ -78,6 +80,67 @@ static inline void scene_point(double at[2], const board_scene *s, int k)
     const int column = k % s->columns, row = k / s->columns;
     at[0] = s->kind == SCENE_SHIFTED ? 2 * column + (row & 1) : column;
     at[1] = row;
+}
+
+static inline board_scene scene_of(int kind, int columns, int rows, int w, int h)
+{
+    board_scene s = {.kind = kind,
+                     .columns = columns,
+                     .rows = rows,
+                     .focal = 300,
+                     .middle = {(w - 1) / 2.0, (h - 1) / 2.0},
+                     .radius = 0.3,
+                     .dark = 30,
+                     .bright = 220,
+                     .border = 0.7,
+                     .w = w,
+                     .h = h};
+    return s;
+}
+
+/* Where all points are. */
+static inline void scene_know(double (*truth)[2], const board_scene *s)
+{
+    for (int k = 0; k < s->columns * s->rows; k++) {
+        double at[2];
+        scene_point(at, s, k);
+        scene_show(truth[k], s, at[0], at[1]);
+    }
+}
+
+/* The least distance between lines of points next to each other, and from the picture's edge. */
+static inline double scene_room(double (*truth)[2], const board_scene *s)
+{
+    double least = 1e9;
+    for (int k = 0; k < s->columns * s->rows; k++) {
+        const int right = k % s->columns < s->columns - 1 ? k + 1 : k - 1,
+                  down = k / s->columns < s->rows - 1 ? k + s->columns : k - s->columns;
+        const double ax = truth[right][0] - truth[k][0], ay = truth[right][1] - truth[k][1];
+        const double bx = truth[down][0] - truth[k][0], by = truth[down][1] - truth[k][1];
+        least = fmin(least, fabs(ax * by - ay * bx) / fmax(hypot(ax, ay), hypot(bx, by)));
+        least = fmin(least, fmin(truth[k][0], s->w - 1 - truth[k][0]));
+        least = fmin(least, fmin(truth[k][1], s->h - 1 - truth[k][1]));
+    }
+    return least;
+}
+
+/* Any pose, tilted by `tilt` at most, in which lines are `least` pixels apart. */
+static inline void scene_pose(double (*truth)[2], board_scene *s, double tilt, double least)
+{
+    do {
+        s->bend = scene_random(-0.1, 0.3);
+        scene_turn(s, scene_random(-3.1416, 3.1416), scene_random(0, tilt), scene_random(0, 6.2832));
+        scene_place(s, scene_random(-60, 60), scene_random(-40, 40), scene_random(6, 30));
+        scene_know(truth, s);
+    } while (!(s->shift[2] > 1 && scene_room(truth, s) > least));
+}
+
+/* Which point is in place k when the board is turned by quarters. */
+static inline int scene_turned(const board_scene *s, int turn, int k)
+{
+    const int c = s->columns, r = s->rows;
+    const int x = k % c, y = k / c;
+    return turn == 0 ? k : turn == 2 ? c * r - 1 - k : turn == 1 ? x * c + (c - 1 - y) : (c - 1 - x) * c + y;
 }
 
 static inline double scene_level(const board_scene *s, double px, double py)

@@ -18,8 +18,8 @@
 #include "progress.h"
 
 static const char help[] =
-    "usage: iris calibrate board --board CxR [--square SIZE] [--model TERMS] [--json] PICTURE...\n"
-    "                            [-o CAMERA]\n"
+    "usage: iris calibrate board --board CxR [--circles|--shifted-circles] [--square SIZE]\n"
+    "                            [--model TERMS] [--json] PICTURE... [-o CAMERA]\n"
     "       iris calibrate board (--board CxR [--square SIZE] | --points FILE) [--model TERMS]\n"
     "                            [--image-size WxH] [--json] --corners FILE... [-o CAMERA]\n\n"
     "From views of a board with known points, such as the inner corners of a chessboard, to the camera,\n"
@@ -27,6 +27,10 @@ static const char help[] =
     "iris corners, or lists of corners. A picture in which the board is not seen is told, and the others\n"
     "go on.\n\n"
     "  --board CxR      inner corners in a row, and rows: 9x6\n"
+    "  --circles        a grid of circles, of which the centers count\n"
+    "  --shifted-circles  the same with every second row shifted to the right by half a step, and rows as "
+    "far\n"
+    "                   apart as that; the half step is the square\n"
     "  --square SIZE    of the board's squares: 25mm, 2.5cm, 0.025m, 1in, or 25 of no unit. Default: 1\n"
     "  --points FILE    any other board: a point per line, x y, in any unit\n"
     "  --corners        the files are lists of corners: x y in pixels, in the board's order, row by row\n"
@@ -52,7 +56,7 @@ typedef struct {
     iris_board_view views[IRIS_BOARD_VIEWS_MAX];
     iris_board_place places[IRIS_BOARD_VIEWS_MAX];
     int32_t count;
-    iris_board_grid grid; /* of pictures */
+    board_option looked_for; /* in pictures */
     iris_vec2 board[POINTS];
     int points;
     const char *unit;
@@ -109,8 +113,11 @@ static int read_board(session *s, const texts *given)
         return EXIT_BAD_CALL;
     }
     s->points = sides[0] * sides[1];
+    s->looked_for.grid = (iris_board_grid){sides[0], sides[1]};
     for (int i = 0; i < s->points; i++) {
-        s->board[i] = (iris_vec2){i % sides[0] * side, i / sides[0] * side};
+        int32_t at[2];
+        board_option_point(at, &s->looked_for, i);
+        s->board[i] = (iris_vec2){at[0] * side, at[1] * side};
     }
     return EXIT_DONE;
 }
@@ -186,7 +193,7 @@ static int find_board(session *s, char *file, const iris_image *gray)
     static iris_vec2 corners[POINTS];
     iris_scratch scratch;
     const iris_size size = {gray->w, gray->h};
-    const size_t bytes = board_option_bytes(&s->grid, size);
+    const size_t bytes = board_option_bytes(&s->looked_for, size);
     if (s->config.size.w == 0) {
         s->config.size = size;
     }
@@ -201,7 +208,7 @@ static int find_board(session *s, char *file, const iris_image *gray)
         return 0;
     }
     int found = iris_scratch_init(&scratch, memory, bytes) == IRIS_OK &&
-                board_option_find(corners, &s->grid, gray, &scratch, file) == EXIT_DONE &&
+                board_option_find(corners, &s->looked_for, gray, &scratch, file) == EXIT_DONE &&
                 add_view(s, file, corners);
     free(memory);
     return found;
@@ -451,7 +458,7 @@ static int prepare(session *s, const texts *given, const arguments *args, int co
         complain("--points", "only with lists of corners: --corners FILE...");
         return EXIT_BAD_CALL;
     }
-    if (!corners && given->board && !board_option_read(&s->grid, given->board)) {
+    if (!corners && given->board && !board_option_read(&s->looked_for, given->board)) {
         return EXIT_BAD_CALL;
     }
     return read_board(s, given);
@@ -462,10 +469,16 @@ int calibrate_board(int argc, char **argv)
     static session s;
     texts given = {.model = "k3,tangential"};
     int json = 0, corners = 0;
-    const args_option options[] = {{"board", 0, NULL, &given.board},     {"square", 0, NULL, &given.square},
-                                   {"points", 0, NULL, &given.points},   {"model", 0, NULL, &given.model},
-                                   {"corners", 0, &corners, NULL},       {"image-size", 0, NULL, &given.size},
-                                   {"output", 'o', NULL, &given.output}, {"json", 0, &json, NULL}};
+    const args_option options[] = {{"board", 0, NULL, &given.board},
+                                   {"square", 0, NULL, &given.square},
+                                   {"points", 0, NULL, &given.points},
+                                   {"model", 0, NULL, &given.model},
+                                   {"corners", 0, &corners, NULL},
+                                   {"circles", 0, &s.looked_for.circles, NULL},
+                                   {"shifted-circles", 0, &s.looked_for.shifted, NULL},
+                                   {"image-size", 0, NULL, &given.size},
+                                   {"output", 'o', NULL, &given.output},
+                                   {"json", 0, &json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {

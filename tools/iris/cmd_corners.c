@@ -7,19 +7,21 @@
 #include "operation.h"
 
 static const char help[] =
-    "usage: iris corners --board CxR [--roi x,y,w,h] [--json] IN... [-o OUT]\n\n"
+    "usage: iris corners --board CxR [--circles|--shifted-circles] [--roi x,y,w,h] [--json] IN...\n"
+    "                    [-o OUT]\n\n"
     "The inner corners of a chessboard to a fraction of a pixel, row by row: a line for each, x y, as\n"
     "iris calibrate board --corners reads them. 0 0 is the middle of the first pixel. Color counts by its\n"
     "luma. Along a row and then down the rows is a turn as from right to down in the picture. The first\n"
     "row begins where the square between the first four corners is dark, or else more to the left. With\n"
     "several pictures, a line with # and the file's name comes first.\n\n"
-    "  --board CxR       inner corners in a row, and rows: 9x6. Each is 3 at least\n" OPERATION_OPTIONS "\n"
+    "  --board CxR       inner corners in a row, and rows: 9x6. Each is 3 at least\n" BOARD_OPTION_HELP
+        OPERATION_OPTIONS "\n"
     "A picture in which the board is not seen as a whole is told with the reason. JSON has corners: [x,y]\n"
     "of each. With -o they are drawn in color: the first row, and where it begins, stand out.\n\n"
     "example: iris corners --board 9x6 left01.pgm > left01_corners.txt\n";
 
 typedef struct {
-    iris_board_grid grid;
+    board_option board;
     const char *alone; /* the only input; null: there are several */
 } settings;
 
@@ -45,9 +47,9 @@ static const iris_image *overlay(const iris_image *input, const finding *found, 
         for (int32_t i = 0; i < found->count; i++) {
             const canvas_point at = {place_in_pixels(found->corners[i].x),
                                      place_in_pixels(found->corners[i].y)};
-            const int32_t row = i / by->grid.columns;
+            const int32_t row = i / by->board.grid.columns;
             if (i > 0) {
-                canvas_line(&on, last, at, canvas_color((i - 1) / by->grid.columns));
+                canvas_line(&on, last, at, canvas_color((i - 1) / by->board.grid.columns));
             }
             canvas_circle(&on, at, i == 0 ? 9 : row == 0 ? 6 : 4, canvas_color(row));
             last = at;
@@ -62,15 +64,15 @@ static int apply(iris_image *result, const iris_image *input, operation_stage *s
     const iris_image *gray = stage_gray(stage, input);
     finding *found = gray ? stage_room(stage, sizeof *found) : NULL;
     iris_scratch *scratch =
-        found ? stage_scratch(stage, board_option_bytes(&by->grid, (iris_size){gray->w, gray->h})) : NULL;
+        found ? stage_scratch(stage, board_option_bytes(&by->board, (iris_size){gray->w, gray->h})) : NULL;
     if (!scratch) {
         return EXIT_BAD_DATA;
     }
-    int exit_code = board_option_find(found->corners, &by->grid, gray, scratch, stage->file);
+    int exit_code = board_option_find(found->corners, &by->board, gray, scratch, stage->file);
     if (exit_code != EXIT_DONE) {
         return exit_code;
     }
-    found->count = by->grid.columns * by->grid.rows;
+    found->count = by->board.grid.columns * by->board.grid.rows;
     const iris_image *drawn = overlay(input, found, stage);
     if (!drawn) {
         return EXIT_BAD_DATA;
@@ -117,19 +119,22 @@ static int parse(void *memory, operation_words *words)
 {
     settings *by = memory;
     const char *board = NULL;
-    const args_option options[] = {{"board", 0, NULL, &board}};
+    const args_option options[] = {{"board", 0, NULL, &board},
+                                   {"circles", 0, &by->board.circles, NULL},
+                                   {"shifted-circles", 0, &by->board.shifted, NULL}};
     if (!operation_options(words, options, sizeof options / sizeof options[0])) {
         return 0;
     }
     by->alone = words->arguments.operand_count == 1 ? words->arguments.operands[0] : NULL;
-    return board_option_read(&by->grid, board);
+    return board_option_read(&by->board, board);
 }
 
-const operation operation_corners = {.name = "corners",
-                                     .summary = "the inner corners of a chessboard, to calibrate a camera",
-                                     .help = help,
-                                     .parse = parse,
-                                     .apply = apply,
-                                     .report = report,
-                                     .print = print,
-                                     .reports_alone = 1};
+const operation operation_corners = {
+    .name = "corners",
+    .summary = "the inner corners of a chessboard, or circles, to calibrate a camera",
+    .help = help,
+    .parse = parse,
+    .apply = apply,
+    .report = report,
+    .print = print,
+    .reports_alone = 1};

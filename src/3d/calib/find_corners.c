@@ -8,6 +8,7 @@ typedef struct {
     iris_lattice lattice;
     int16_t *responses;
     const iris_board_grid *grid;
+    iris_lattice_order order;
     iris_board_report *report;
 } search;
 
@@ -45,37 +46,8 @@ static int grow_from(iris_lattice *lattice, int32_t seed)
     return lattice->placed >= 4;
 }
 
-/* How well a way round of the board does: the less the better; -1: it is none. */
-static int32_t against(const search *s, int turn)
-{
-    const iris_lattice *lattice = &s->lattice;
-    if (!iris_lattice_is(lattice, s->grid, turn)) {
-        return -1;
-    }
-    const iris_candidate *first = &lattice->all[iris_lattice_member(lattice, s->grid, turn, 0)];
-    const iris_candidate *last =
-        &lattice->all[iris_lattice_member(lattice, s->grid, turn, s->grid->columns - 1)];
-    const int32_t angle = iris_atan2_angle(last->y - first->y, last->x - first->x);
-    const int bright = ((first->i + first->j + turn) & 1) == 0;
-    return bright * 131072 + 2 * (angle < 0 ? -angle : angle) + (angle < 0);
-}
-
-/* Which way round the lattice is the board; -1: it is not. */
-static int turn_of(const search *s)
-{
-    int best = -1;
-    int32_t least = INT32_MAX;
-    for (int turn = 0; turn < 4; turn++) {
-        const int32_t bad = against(s, turn);
-        if (bad >= 0 && bad < least) {
-            least = bad;
-            best = turn;
-        }
-    }
-    return best;
-}
-
-/* Grows lattices on a level until one is the board: which way round, or -1 with the best one in the report. */
+/* Grows lattices on a level until one is the board: s->order. Returns 0, with the best one in the report, when none
+ * is. */
 static int look(search *s, const iris_image *level)
 {
     iris_lattice *lattice = &s->lattice;
@@ -85,19 +57,18 @@ static int look(search *s, const iris_image *level)
             continue;
         }
         iris_lattice_trim(lattice, s->grid);
-        const int turn = turn_of(s);
-        if (turn >= 0) {
-            return turn;
+        if (iris_lattice_orient(&s->order, lattice)) {
+            return 1;
         }
         if (lattice->placed > s->report->seen) {
             iris_lattice_report(s->report, lattice, s->grid, (iris_size){level->w, level->h});
         }
     }
-    return -1;
+    return 0;
 }
 
-/* How far gradients count, in pixels: no other edge is as near, though the outermost squares may be halves. Places have 16
- * fraction bits. */
+/* How far gradients count, in pixels: no other edge is as near, though the outermost squares may be halves. Places
+ * have 16 fraction bits. */
 static int32_t reach_of(const iris_vec2 *corners, const iris_board_grid *grid, int32_t k)
 {
     const int32_t column = k % grid->columns, row = k / grid->columns;
@@ -123,10 +94,13 @@ static int32_t reach_of(const iris_vec2 *corners, const iris_board_grid *grid, i
     return reach < 2 ? 2 : reach > 12 ? 12 : reach;
 }
 
-/* From a level down to the picture: places with 16 fraction bits. */
+/* From a level down to the picture: places on the level with 32 fraction bits become those in the picture. */
 static void settle(iris_vec2 *corners, const search *s, int level)
 {
     const int32_t count = s->grid->columns * s->grid->rows;
+    for (int32_t k = 0; k < count; k++) {
+        corners[k] = (iris_vec2){corners[k].x / 65536, corners[k].y / 65536};
+    }
     for (; level >= 0; level--) {
         for (int32_t k = 0; k < count; k++) {
             iris_q16 at[2] = {(iris_q16)corners[k].x, (iris_q16)corners[k].y};
@@ -170,34 +144,24 @@ iris_status iris_board_corners(iris_vec2 *corners, iris_board_report *report, co
     if (!corners || !report || !gray || !grid || !scratch) {
         return IRIS_ERR_ARG;
     }
-    iris_status status = iris_image_check(gray);
-    if (status != IRIS_OK || gray->format != IRIS_GRAY8) {
-        return status == IRIS_OK ? IRIS_ERR_FORMAT : status;
+    iris_status status = iris_lattice_check(gray, grid);
+    if (status != IRIS_OK) {
+        return status;
     }
-    if (grid->columns < IRIS_BOARD_SIDE_MIN || grid->columns > IRIS_BOARD_SIDE_MAX ||
-        grid->rows < IRIS_BOARD_SIDE_MIN || grid->rows > IRIS_BOARD_SIDE_MAX) {
-        return IRIS_ERR_RANGE;
-    }
-    search s = {.grid = grid, .report = report};
+    search s = {.grid = grid, .order = {.grid = grid}, .report = report};
     const size_t mark = iris_scratch_mark(scratch);
     status = prepare(&s, gray, scratch);
     if (status == IRIS_OK) {
-        int turn = -1, level = IRIS_BOARD_LEVELS;
+        int found = 0, level = IRIS_BOARD_LEVELS;
         *report = (iris_board_report){IRIS_BOARD_UNSEEN, 0, 0, 0};
-        while (turn < 0 && level > 0) {
+        while (!found && level > 0) {
             const iris_image *at = &s.pyramid.level[--level];
-            turn = at->w < SIDE_MIN || at->h < SIDE_MIN ? -1 : look(&s, at);
+            found = at->w >= SIDE_MIN && at->h >= SIDE_MIN && look(&s, at);
         }
-        status = turn < 0 ? IRIS_ERR_DATA : IRIS_OK;
-        for (int32_t k = 0; turn >= 0 && k < grid->columns * grid->rows; k++) {
-            const iris_candidate *c = &s.lattice.all[iris_lattice_member(&s.lattice, grid, turn, k)];
-            corners[k] = (iris_vec2){c->x * 256, c->y * 256};
-        }
-        if (turn >= 0) {
+        status = found ? IRIS_OK : IRIS_ERR_DATA;
+        if (found) {
+            iris_lattice_places(corners, report, &s.order, &s.lattice);
             settle(corners, &s, level);
-            *report = (iris_board_report){IRIS_BOARD_SEEN, s.lattice.placed, 0, 0};
-            report->columns = grid->columns > grid->rows ? grid->columns : grid->rows;
-            report->rows = grid->columns + grid->rows - report->columns;
         }
     }
     iris_scratch_release(scratch, mark);

@@ -23,7 +23,7 @@ static void place(iris_lattice *lattice, int32_t index, int32_t i, int32_t j)
     iris_lattice_box *box = &lattice->box;
     c->i = (int16_t)i;
     c->j = (int16_t)j;
-    c->tried = 1;
+    c->tried = (int8_t)(c->tried + (c->tried < IRIS_CANDIDATE_TIRED));
     c->next = -1;
     *iris_lattice_at(lattice, i, j) = (int16_t)index;
     box->low[0] = i < box->low[0] ? i : box->low[0];
@@ -149,30 +149,6 @@ void iris_lattice_grow(iris_lattice *lattice, int32_t seed, int32_t step[2][2])
             }
         }
     }
-}
-
-int32_t iris_lattice_member(const iris_lattice *lattice, const iris_board_grid *grid, int turn, int32_t k)
-{
-    const iris_lattice_box *box = &lattice->box;
-    const int32_t column = k % grid->columns, row = k / grid->columns;
-    switch (turn) {
-    case 0:
-        return *iris_lattice_at(lattice, box->low[0] + column, box->low[1] + row);
-    case 1:
-        return *iris_lattice_at(lattice, box->high[0] - row, box->low[1] + column);
-    case 2:
-        return *iris_lattice_at(lattice, box->high[0] - column, box->high[1] - row);
-    default:
-        return *iris_lattice_at(lattice, box->low[0] + row, box->high[1] - column);
-    }
-}
-
-int iris_lattice_is(const iris_lattice *lattice, const iris_board_grid *grid, int turn)
-{
-    const iris_lattice_box *box = &lattice->box;
-    const int32_t wide = box->high[0] - box->low[0] + 1, high = box->high[1] - box->low[1] + 1;
-    return lattice->placed == grid->columns * grid->rows && wide == (turn & 1 ? grid->rows : grid->columns) &&
-           high == (turn & 1 ? grid->columns : grid->rows);
 }
 
 /* Why an outer line is not the board's, 0 to 1000; it is above 400 when half of it is empty, and above UNEVEN when its

@@ -20,6 +20,8 @@ typedef struct {
     int8_t tried;     /* was a part of a lattice */
 } iris_candidate;
 
+#define IRIS_CANDIDATE_TIRED 120
+
 typedef struct {
     int32_t low[2], high[2]; /* cells, inclusive */
 } iris_lattice_box;
@@ -43,12 +45,35 @@ static inline int16_t *iris_lattice_at(const iris_lattice *lattice, int32_t i, i
 /* Grows from one candidate, whose first axis is that of its axis[0], by steps along both axes. */
 void iris_lattice_grow(iris_lattice *lattice, int32_t seed, int32_t step[2][2]);
 
-/* Is it the board? If so, order[] are its columns * rows candidates row by row, the rows turned by `turn` quarters. */
-int iris_lattice_is(const iris_lattice *lattice, const iris_board_grid *grid, int turn);
-int32_t iris_lattice_member(const iris_lattice *lattice, const iris_board_grid *grid, int turn, int32_t k);
+/* The board's points in the lattice: which way round, by quarters, and from which cell. */
+typedef struct {
+    const iris_board_grid *grid;
+    int shifted; /* every second row: axes of the lattice go from a row to the next one, to both sides */
+    int turn;
+    int32_t from[2];
+} iris_lattice_order;
 
-/* Takes off outer lines that stand half empty, or whose corners are no good ones (a board's edge before a frame), as long as
- * it is larger than the board. */
+/* Is the lattice the board, by order->grid, shifted, and turn? Sets order->from. */
+int iris_lattice_fits(iris_lattice_order *order, const iris_lattice *lattice);
+
+/* The cell of point k, row by row, from order->from on. */
+void iris_lattice_cell(int32_t cell[2], const iris_lattice_order *order, int32_t k);
+
+/* The candidate of point k; -1: none. */
+int32_t iris_lattice_member(const iris_lattice_order *order, const iris_lattice *lattice, int32_t k);
+
+/* Which way round is it the board? Sets order->turn and from: as board_find.h has it. Returns 0 when it is not. */
+int iris_lattice_orient(iris_lattice_order *order, const iris_lattice *lattice);
+
+/* The board's places, with 32 fraction bits, and the report of a board that is seen. */
+void iris_lattice_places(iris_vec2 *places, iris_board_report *report, const iris_lattice_order *order,
+                         const iris_lattice *lattice);
+
+/* What both kinds of boards ask of picture and grid. */
+iris_status iris_lattice_check(const iris_image *gray, const iris_board_grid *grid);
+
+/* Takes off outer lines that stand half empty, or whose corners are no good ones (a board's edge before a frame), as
+ * long as it is larger than the board. */
 void iris_lattice_trim(iris_lattice *lattice, const iris_board_grid *grid);
 
 /* What a lattice that is not the board looks like. */
