@@ -2,9 +2,10 @@
 
 #include "iris/fixed.h"
 
+/* That of the least one, which sums that do not fit become, is one less. */
 static int64_t magnitude(int64_t value)
 {
-    return value < 0 ? -value : value;
+    return value >= 0 ? value : value == INT64_MIN ? INT64_MAX : -value;
 }
 
 /* (a p + b q) / 2^30 */

@@ -214,6 +214,23 @@ static void refused(void **state)
     assert_true(run(VIEWS) != IRIS_BOARD_FINE || places[4].rms > whole(50));
 }
 
+/* Five places of one view, one of them twice: as many equations as parameters, which do not determine them. */
+static void one_point_twice(void **state)
+{
+    (void)state;
+    static const double seen[6][4] = {
+        {0, 0, 253.34277984686196, 159.47923432453535},  {30, 0, 289.96804601489566, 169.8819867009297},
+        {60, 0, 333.05535879102536, 182.17397539201193}, {0, 30, 211.78708657831885, 223.17757317749783},
+        {30, 0, 289.96804601489566, 169.8819867009297},  {60, 30, 284.84952635131776, 257.8770275753923}};
+    for (int i = 0; i < 6; i++) {
+        points[0][i] = (iris_board_point){{whole(seen[i][0]), whole(seen[i][1])},
+                                          {whole(seen[i][2]), whole(seen[i][3])}};
+    }
+    views[0] = (iris_board_view){points[0], 6};
+    config = (iris_board_config){0, {640, 480}};
+    assert_int_equal(run(1), IRIS_BOARD_FACING);
+}
+
 static void wrong_calls(void **state)
 {
     (void)state;
@@ -263,8 +280,9 @@ static void any_numbers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exact_views), cmocka_unit_test(noise),       cmocka_unit_test(remarks),
-        cmocka_unit_test(refused),     cmocka_unit_test(wrong_calls), cmocka_unit_test(any_numbers),
+        cmocka_unit_test(exact_views),     cmocka_unit_test(noise),       cmocka_unit_test(remarks),
+        cmocka_unit_test(refused),         cmocka_unit_test(wrong_calls), cmocka_unit_test(any_numbers),
+        cmocka_unit_test(one_point_twice),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #define ENDS     ((iris_q32)1 << 42)
 #define ENOUGH   32 /* bits by which the sum is less than what a round gains */
 #define POSE     IRIS_BOARD_POSE
+#define UNKNOWN  ((iris_q32)1 << 58) /* a deviation that is none: the parameter is left open */
 #define STEEPEST (64 * IRIS_Q32_ONE) /* of a parameter: such a camera is none */
 
 static void add_damping(const iris_triangle *triangle, int count, iris_q32 damping)
@@ -199,6 +200,10 @@ void iris_board_deviations(iris_q32 deviations[IRIS_BOARD_PARAMETERS], iris_boar
                 rest = iris_wide_mul(IRIS_Q32_ONE, IRIS_Q32_ONE / 1024);
             }
             y[i] = iris_wide_div_sat(rest, *iris_triangle_at(&of->all, i, i));
+            if (y[i] > UNKNOWN || y[i] < -UNKNOWN) { /* further sums would not fit */
+                y[k] = INT64_MAX;
+                break;
+            }
         }
         deviations[of->active[k]] = iris_numbers_length(y, n);
     }

@@ -5,14 +5,21 @@
 #define BITS                                                                                                 \
     26 /* of the largest number that goes into a solution: what comes out has 2^26 times it at most */
 
-/* Shifts all numbers so that the largest has `bits` bits. */
-static void scale(iris_q32 *numbers, int n, int bits)
+/* How many bits the largest number has. */
+static int bits_of(const iris_q32 *numbers, int n)
 {
     int most = 0;
     for (int i = 0; i < n; i++) {
         int has = iris_wide_bits(iris_wide_from(numbers[i]));
         most = has > most ? has : most;
     }
+    return most;
+}
+
+/* Shifts all numbers so that the largest has `bits` bits. */
+static void scale(iris_q32 *numbers, int n, int bits)
+{
+    int most = bits_of(numbers, n);
     for (int i = 0; i < n && most > 0; i++) {
         numbers[i] = most > bits ? iris_wide_round_shift_sat(iris_wide_from(numbers[i]), most - bits)
                                  : numbers[i] * ((iris_q32)1 << (bits - most));
@@ -22,10 +29,14 @@ static void scale(iris_q32 *numbers, int n, int bits)
 iris_q32 iris_numbers_length(const iris_q32 *numbers, int n)
 {
     iris_wide sum = {0, 0};
+    int spare = bits_of(numbers, n) - 58; /* the squares of a hundred numbers of 58 bits are below 2^124 */
+    spare = spare > 0 ? spare : 0;
     for (int i = 0; i < n; i++) {
-        sum = iris_wide_add(sum, iris_wide_mul(numbers[i], numbers[i]));
+        iris_q32 a = numbers[i] >> spare;
+        sum = iris_wide_add(sum, iris_wide_mul(a, a));
     }
-    return iris_wide_sqrt(sum);
+    int64_t length = iris_wide_sqrt(sum);
+    return length > INT64_MAX >> spare ? INT64_MAX : length * ((int64_t)1 << spare);
 }
 
 void iris_numbers_normalize(iris_q32 *numbers, int n)

@@ -127,8 +127,11 @@ static void look_first(const looking *l, view_column *column, int32_t ahead, int
 static int32_t limit_of(const looking *l, const view_column *column)
 {
     const int64_t nearest = column->nearest[SUPPORT - 1];
+    if (nearest == INT32_MAX) {
+        return 0;
+    }
     const int64_t spread = iris_round_shift(nearest * nearest * 4 / 1000 * l->camera->spread_q16 / 1000, 16);
-    return nearest == INT32_MAX ? 0 : iris_sat_s32(nearest + (spread > nearest / 50 ? spread : nearest / 50));
+    return iris_sat_s32(nearest + (spread > nearest / 50 ? spread : nearest / 50));
 }
 
 static void look_again(const looking *l, view_column *column, int32_t ahead, int32_t height)
