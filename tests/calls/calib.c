@@ -1,4 +1,5 @@
-/* Cameras from points that are known: scenes and boards. */
+/* Cameras from points that are known: scenes and boards, and boards in pictures. */
+#include "iris/3d/board_find.h"
 #include "iris/3d/calib_board.h"
 #include "iris/3d/calib_scene.h"
 
@@ -92,8 +93,56 @@ static void board(void)
     CALL(iris_board_calibrate(fit, places, given, count, with, scratch));
 }
 
+/* ---- board_find.h ---- */
+
+/* Squares of a board in a picture that may be none, dark and bright; some have been lost. */
+static void paint_board(const iris_image *image, iris_board_grid grid)
+{
+    if (!image || iris_image_check(image) != IRIS_OK || image->format != IRIS_GRAY8) {
+        return;
+    }
+    int32_t side = draw_within(7, 12), left = draw_within(0, 9), top = draw_within(0, 9),
+            lost = draw_int(0, 40);
+    int32_t slant = draw_chance(2) ? draw_within(-4, 4) : 0;
+    for (int32_t y = 0; y < image->h; y++) {
+        uint8_t *row = iris_image_row(image, y);
+        for (int32_t x = 0; x < image->w; x++) {
+            int32_t u = x - left + y * slant / 16, v = y - top - x * slant / 16;
+            int32_t i = u / side, k = v / side,
+                    inside = u >= 0 && v >= 0 && i <= grid.columns && k <= grid.rows;
+            row[x] = inside && (i + k) % 2 == 0 && i + 9 * k != lost ? 30 : 220;
+        }
+    }
+}
+
+static void corners(void)
+{
+    iris_size size = {draw_within(50, 70), draw_within(50, 70)};
+    iris_board_grid made = {draw_within(3, 5), draw_within(3, 5)};
+    iris_board_grid seen = made;
+    if (draw_chance(6)) {
+        *(draw_chance(2) ? &made.columns : &made.rows) = draw_int(IRIS_BOARD_SIDE_MIN, IRIS_BOARD_SIDE_MAX);
+    }
+    int fits = made.columns >= 3 && made.columns <= 64 && made.rows >= 3 && made.rows <= 64;
+    size = draw_chance(10) ? draw_size() : size;
+    iris_vec2 *places = OR_NULL(draw_results((size_t)(fits ? made.columns * made.rows : 0) * sizeof *places));
+    iris_board_report *report = OR_NULL(draw_results(sizeof *report));
+    const iris_image *gray = draw_input(IRIS_GRAY8, size);
+    const iris_board_grid *grid = OR_NULL(draw_given(&made, sizeof made));
+    if (!draw_chance(4)) {
+        paint_board(gray, seen);
+    }
+    size_t needed =
+        fits && size.w > 0 && size.h > 0
+            ? IRIS_BOARD_CORNERS_SCRATCH_BYTES((size_t)size.w, (size_t)size.h, made.columns, made.rows)
+            : 0;
+    iris_scratch *scratch = draw_scratch(needed);
+    CALL(iris_board_corners(places, report, gray, grid, scratch));
+}
+
 const random_call calls_calib[] = {
     {"iris_scene_calibrate", scene},
     {"iris_board_calibrate", board},
+    {"iris_board_corners", corners},
     {NULL, NULL},
 };

@@ -1,5 +1,6 @@
-/* Cameras and lenses, their texts, and pictures without the lens's bends. */
+/* Cameras and lenses, their texts, pictures without the lens's bends, and floors of cameras that are mounted. */
 #include "iris/3d/camera_text.h"
+#include "iris/3d/mounting.h"
 #include "iris/3d/remap.h"
 
 #include "calls.h"
@@ -199,16 +200,55 @@ static void remap_row(void)
     CALL(iris_remap_row(pixels, remap, src, y));
 }
 
+/* ---- mounting.h ---- */
+
+/* Some centimeters above the floor, looking down; rarely anything, or null. */
+static const iris_mounting *any_mounting(void)
+{
+    iris_mounting made = {.height = draw_q32(30, 600),
+                          .tilt = draw_q32(0, 1),
+                          .pan = draw_q32(-1, 1) / 4,
+                          .roll = draw_q32(-1, 1) / 8,
+                          .right = draw_q32(-99, 99),
+                          .ahead = draw_q32(-300, 300)};
+    draw_spoiled(&made.height, 6, 6);
+    return OR_NULL(draw_given(&made, sizeof made));
+}
+
+static void mounting_pose(void)
+{
+    iris_pose *pose = OR_NULL(draw_results(sizeof *pose));
+    const iris_mounting *mounting = any_mounting();
+    CALL(iris_mounting_pose(pose, mounting));
+}
+
+static void mounting_floor(void)
+{
+    iris_camera_model made = any_model();
+    iris_floor *floor = OR_NULL(draw_results(sizeof *floor));
+    const iris_mounting *mounting = any_mounting();
+    const iris_camera_model *camera = OR_NULL(draw_given(&made, sizeof made));
+    CALL(iris_mounting_floor(floor, mounting, camera));
+}
+
+static void mounting_view(void)
+{
+    iris_birdseye_window made = {.size = draw_size(),
+                                 .corner = iris_place_of(draw_int(-300, 100), draw_int(100, 2000)),
+                                 .mm_per_pixel_q16 =
+                                     draw_int(IRIS_BIRDSEYE_SCALE_MIN, IRIS_BIRDSEYE_SCALE_MAX)};
+    iris_remap_view *view = OR_NULL(draw_results(sizeof *view));
+    const iris_mounting *mounting = any_mounting();
+    const iris_birdseye_window *window = OR_NULL(draw_given(&made, sizeof made));
+    CALL(iris_mounting_view(view, mounting, window));
+}
+
 const random_call calls_camera[] = {
-    {"iris_lens_straighten", straighten},
-    {"iris_intrinsics_plane", plane},
-    {"iris_sensor_project", project},
-    {"iris_sensor_ray", ray},
-    {"iris_sensor_decompose", decompose},
-    {"iris_camera_write_text", write_text},
-    {"iris_camera_read_text", read_text},
-    {"iris_remap_init", remap_init},
-    {"iris_remap_draw", remap_draw},
-    {"iris_remap_row", remap_row},
-    {NULL, NULL},
+    {"iris_lens_straighten", straighten},  {"iris_intrinsics_plane", plane},
+    {"iris_sensor_project", project},      {"iris_sensor_ray", ray},
+    {"iris_sensor_decompose", decompose},  {"iris_camera_write_text", write_text},
+    {"iris_camera_read_text", read_text},  {"iris_remap_init", remap_init},
+    {"iris_remap_draw", remap_draw},       {"iris_remap_row", remap_row},
+    {"iris_mounting_pose", mounting_pose}, {"iris_mounting_floor", mounting_floor},
+    {"iris_mounting_view", mounting_view}, {NULL, NULL},
 };

@@ -62,16 +62,22 @@ iris_mat3 draw_turn(void)
     return made;
 }
 
+/* A picture's, where the one drawn may be none. */
+static int32_t side_of(int32_t side)
+{
+    return side >= 1 && side <= IRIS_SIDE_MAX ? side : 20;
+}
+
 iris_sensor draw_sensor(iris_size size, int32_t limit)
 {
     iris_sensor made = {.lens = {.k1 = 0}};
-    int32_t focal = (size.w > 0 ? size.w : 1) + 2;
+    int32_t w = side_of(size.w), h = side_of(size.h), focal = w + 2;
     iris_intrinsics *k = &made.intrinsics;
     k->alpha_u = draw_q32(focal / 2 + 1, 3 * focal);
     k->alpha_v = k->alpha_u + k->alpha_u / 64 * draw_within(-8, 8);
     k->shear = draw_chance(3) ? draw_q32(-1, 1) : 0;
-    k->u0 = draw_q32(size.w / 3, size.w / 2 + 1);
-    k->v0 = draw_q32(size.h / 3, size.h / 2 + 1);
+    k->u0 = draw_q32(w / 3, w / 2 + 1);
+    k->v0 = draw_q32(h / 3, h / 2 + 1);
     if (draw_chance(2)) {
         made.lens = (iris_lens){.k1 = draw_q32(-1, 1) / 4,
                                 .k2 = draw_q32(-1, 1) / 4,
@@ -150,8 +156,8 @@ static void line_meet(void)
     iris_q32 *gap = draw_results(sizeof *gap);
     iris_line3 first = any_line(), second = any_line();
     if (draw_chance(6)) {
-        second.direction = first.direction;
-        second.direction.x += draw_within(-1000000, 1000000);
+        iris_vec3 little = {draw_within(-1000000, 1000000), 0, 0};
+        second.direction = iris_vec3_add(first.direction, little);
     }
     const iris_line3 *a = draw_given(&first, sizeof first), *b = draw_given(&second, sizeof second);
     (void)iris_line3_distance(a, iris_line3_point(b, draw_any_q32()));
