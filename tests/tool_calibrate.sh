@@ -43,7 +43,7 @@ awk '{ print -$1, $2, $3 }' s11.txt > mirror.txt; head -11 image.txt > i11.txt
 refuses "a mirror" 1 "mirror.txt: only a mirror" scene mirror.txt i11.txt
 refuses "one file" 2 "scene takes two files" scene space.txt
 refuses "no such file" 1 "nowhere.txt: " scene nowhere.txt image.txt
-refuses "no kind" 2 "circus: scene or board is to stand behind calibrate" circus
+refuses "no kind" 2 "circus: scene, board, rotation, translation, or motion is to stand behind calibrate" circus
 
 if [ -d "$data/calib/scene3d" ]; then
     works "20 points of a course" scene "$data/calib/scene3d/pts3d-norm.txt" "$data/calib/scene3d/pts2d-norm-pic_a.txt" --json
@@ -103,6 +103,75 @@ refuses "--points with pictures" 2 "points: only with lists of corners" board --
 refuses "a board too small for pictures" 2 "board: CxR, .*, not '2x6'" board --board 2x6 view0.txt
 { printf 'P5 40 30 255\n'; yes 99 | head -c 1200; } > gray.pgm
 refuses "a picture without a board" 1 "gray.pgm: no board is seen" board --board 8x6 gray.pgm
+
+# --- a scene that nobody has measured: focal length 600, principal point (319.5, 239.5) ---
+matches() { # matches PAN TILT ROLL X Y Z : what a camera that turns so (degrees about y, x, z) and then has moved so shows of 60 points
+    awk -v p="$1" -v t="$2" -v r="$3" -v x="$4" -v y="$5" -v z="$6" 'BEGIN { d = 3.14159265358979 / 180; p *= d; t *= d; r *= d
+        for (i = 0; n < 60 && i < 5000; i++) {
+            u = (i * 157) % 640; v = (i * 89 + int(i / 7) * 31) % 480; depth = 400 + (i * 211) % 1700
+            a = (u - 319.5) / 600 * depth; b = (v - 239.5) / 600 * depth; c = depth
+            h = a * cos(p) + c * sin(p); c = -a * sin(p) + c * cos(p); a = h
+            h = b * cos(t) - c * sin(t); c = b * sin(t) + c * cos(t); b = h
+            h = a * cos(r) - b * sin(r); b = a * sin(r) + b * cos(r); a = h
+            a += x; b += y; c += z
+            if (c <= 0) continue
+            a = 319.5 + 600 * a / c; b = 239.5 + 600 * b / c
+            if (a < 0 || a > 639 || b < 0 || b > 479) continue
+            printf "%.9g %.9g, %.9f %.9f\n", u, v, a, b; n++ } }'
+}
+matches 15 3 -2 0 0 0 > pan.txt; matches -4 12 5 0 0 0 > tilt.txt; matches 8 -10 15 0 0 0 > both.txt
+works "rotation" rotation --image-size 640x480 pan.txt tilt.txt both.txt -o turned.camera
+grep -q '^3 pairs, off by 0.0000 pixels' out && grep -Eq '^fx  *600  \+- ' out && grep -q '^skew .* not looked for$' out && grep -q '^pan.txt: turned by 15\.' out
+say $? "in words"
+grep -q '^size 640 480$' turned.camera && grep -Eq '^focal (600.000|599.999)' turned.camera; say $? "its camera file"
+works "rotation --json" rotation --json --model center,aspect,skew pan.txt tilt.txt both.txt
+near fx 600 0.001; near fy 600 0.001; near skew 0 0.001; near u0 319.5 0.001; near v0 239.5 0.001; near rms_px 0 0.0001
+grep -q '"deviations":{"fx":.*},"pairs":\[{"file":"pan.txt","rms_px":[^,]*,"turn":\[' out; say $? "--json: its keys"
+works "one pair" rotation --json --image-size 640x480 pan.txt
+near fx 600 0.001; near u0 319.5 0
+matches 0 0 20 0 0 0 > roll.txt
+refuses "a roll" 1 "the camera turns about its optical axis alone" rotation --image-size 640x480 roll.txt
+refuses "a pan, and its aspect" 1 "leave open what is looked for" rotation --image-size 640x480 --model aspect,center,skew pan.txt
+awk '{ print $1, $2, $1, $2 }' pan.txt > still.txt
+refuses "no turn" 1 "hardly moves" rotation --image-size 640x480 still.txt
+head -3 pan.txt > three.txt
+refuses "three matches" 1 "three.txt: too few matches" rotation pan.txt three.txt
+awk '{ print $1, $1, $3, $3 }' pan.txt > row.txt
+refuses "matches on a line" 1 "row.txt: the matches are on one line" rotation pan.txt row.txt
+refuses "three numbers" 1 "line 1: expected are 4 numbers" rotation space.txt
+refuses "no matches" 2 "1 to 64 texts of matches are needed" rotation
+refuses "rotation --model" 2 "model: any of center, aspect, skew with" rotation --model lever pan.txt
+refuses "rotation -o without a size" 2 "image-size WxH" rotation pan.txt -o x.camera
+matches 0 0 0 -20 10 -150 > ahead.txt; matches 0 0 0 20 -10 150 > back.txt
+works "translation" translation --image-size 640x480 ahead.txt back.txt
+grep -q '^ahead.txt: the camera moves to what is at 399.50 199.50 ' out && grep -q '^back.txt: the camera moves away from what is at 399.50 199.50 ' out
+say $? "in words"
+works "translation --json" translation --json ahead.txt
+near x 399.5 0.001; near y 199.5 0.001; grep -q '"moves":"to","deviation_x":' out; say $? "--json: its keys"
+refuses "a turn is no translation" 1 "no such motion" translation roll.txt
+refuses "no translation" 1 "hardly moves" translation still.txt
+# A robot whose camera looks ahead, 30 degrees down, at its middle: it drives 150 mm, and turns by 15 degrees to the left.
+matches 0 0 0 0 75 -129.9038106 > drive.txt
+awk 'BEGIN { d = 3.14159265358979 / 180; t = 30 * d; w = 15 * d
+    for (i = 0; n < 60 && i < 5000; i++) {
+        u = (i * 157) % 640; v = (i * 89 + int(i / 7) * 31) % 480
+        a = (u - 319.5) / 600; b = (v - 239.5) / 600
+        h = b * cos(t) + sin(t); f = cos(t) - b * sin(t)      # down, and ahead
+        x = a * cos(w) + f * sin(w); f = -a * sin(w) + f * cos(w)
+        b = h * cos(t) - f * sin(t); c = h * sin(t) + f * cos(t)
+        if (c <= 0) continue
+        x = 319.5 + 600 * x / c; b = 239.5 + 600 * b / c
+        if (x < 0 || x > 639 || b < 0 || b > 479) continue
+        printf "%.9g %.9g %.9f %.9f\n", u, v, x, b; n++ } }' > turn.txt
+printf '%s\n' '# RX RY RZ X Y Z' '0 0 0  0 150 0' '0 0 15  0 0 0' > moves.txt
+works "motion" motion --height 1 --tilt 20 --image-size 640x480 moves.txt drive.txt turn.txt
+grep -q '^2 pairs, off by 0.0000' out && grep -q '^mounted with tilt 30.000, pan -*0.000, roll -*0.000 degrees' out; say $? "in words"
+works "motion --json" motion --height 1 --tilt 20 --image-size 640x480 --model none --json moves.txt drive.txt turn.txt
+near fx 600 0.01; near tilt 30 0.001; near pan 0 0.001; near roll 0 0.001
+refuses "motions of one pair too few" 1 "moves.txt: 2 motions, but there are 1 texts" motion --height 1 --tilt 20 moves.txt drive.txt
+refuses "motion without a mount" 2 "height MM is needed" motion moves.txt drive.txt turn.txt
+head -2 moves.txt > straight.txt
+refuses "straight ahead alone" 1 "leave open what is looked for" motion --height 1 --tilt 20 straight.txt drive.txt
 
 if [ -d "$data/calib/chessboard" ]; then
     works "13 corner lists" board --board 9x6 --square 25mm --image-size 640x480 --json --corners "$data"/calib/chessboard/*_corners.txt

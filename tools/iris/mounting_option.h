@@ -20,13 +20,13 @@ typedef struct {
     const char *calib, *height, *tilt, *pan, *roll, *ahead, *right;
 } mounting_texts;
 
-#define MOUNTING_OPTIONS(texts)                                                                              \
-    {"calib", 0, NULL, &(texts).calib}, {"height", 0, NULL, &(texts).height},                                \
-        {"tilt", 0, NULL, &(texts).tilt}, {"pan", 0, NULL, &(texts).pan}, {"roll", 0, NULL, &(texts).roll},  \
-        {"ahead", 0, NULL, &(texts).ahead},                                                                  \
+#define MOUNTING_PLACE_OPTIONS(texts)                                                                        \
+    {"height", 0, NULL, &(texts).height}, {"tilt", 0, NULL, &(texts).tilt}, {"pan", 0, NULL, &(texts).pan},  \
+        {"roll", 0, NULL, &(texts).roll}, {"ahead", 0, NULL, &(texts).ahead},                                \
     {                                                                                                        \
         "right", 0, NULL, &(texts).right                                                                     \
     }
+#define MOUNTING_OPTIONS(texts) {"calib", 0, NULL, &(texts).calib}, MOUNTING_PLACE_OPTIONS(texts)
 
 /* Is any of them given? */
 int mounting_is_given(const mounting_texts *texts);

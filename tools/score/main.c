@@ -59,6 +59,7 @@ int main(int argc, char **argv)
     score_lock(&s);
     score_camera(&s);
     score_calib(&s);
+    score_motion(&s);
     score_stereo(&s);
     score_carve(&s);
     score_cost(&s);

@@ -53,6 +53,7 @@ void score_paths(score *s);
 void score_lock(score *s);
 void score_camera(score *s);
 void score_calib(score *s);
+void score_motion(score *s);
 void score_stereo(score *s);
 void score_carve(score *s);
 void score_cost(score *s);
