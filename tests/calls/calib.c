@@ -115,34 +115,92 @@ static void paint_board(const iris_image *image, iris_board_grid grid)
     }
 }
 
+/* Circles, which are squares here, in rows; every second row may be shifted. */
+static void paint_circles(const iris_image *image, iris_board_grid grid, int shifted)
+{
+    if (!image || iris_image_check(image) != IRIS_OK || image->format != IRIS_GRAY8) {
+        return;
+    }
+    int32_t step = draw_within(12, 14), wide = draw_within(4, 7), left = draw_within(0, 6),
+            lost = draw_int(0, 40);
+    for (int32_t y = 0; y < image->h; y++) {
+        uint8_t *row = iris_image_row(image, y);
+        for (int32_t x = 0; x < image->w; x++) {
+            int32_t v = y - 3, k = v / step, u = x - left - (shifted && k % 2 ? step / 2 : 0), i = u / step;
+            int32_t inside = u >= 0 && v >= 0 && i < grid.columns && k < grid.rows && i + 9 * k != lost;
+            row[x] = inside && u % step < wide && v % step < wide ? 30 : 220;
+        }
+    }
+}
+
+/* A picture of a board, or of anything, and the board to look for. */
+typedef struct {
+    iris_size size;
+    iris_board_grid grid, seen;
+    size_t places; /* of the board to look for; 0 where it is none */
+} board_call;
+
+static board_call any_board(void)
+{
+    board_call made = {
+        {draw_within(50, 70), draw_within(50, 70)}, {draw_within(3, 5), draw_within(3, 5)}, {0, 0}, 0};
+    iris_board_grid *grid = &made.grid;
+    made.seen = *grid;
+    if (draw_chance(6)) {
+        *(draw_chance(2) ? &grid->columns : &grid->rows) =
+            draw_int(IRIS_BOARD_SIDE_MIN, IRIS_BOARD_SIDE_MAX / 4);
+    }
+    made.size = draw_chance(10) ? draw_size() : made.size;
+    if (grid->columns >= IRIS_BOARD_SIDE_MIN && grid->columns <= IRIS_BOARD_SIDE_MAX &&
+        grid->rows >= IRIS_BOARD_SIDE_MIN && grid->rows <= IRIS_BOARD_SIDE_MAX && made.size.w > 0 &&
+        made.size.h > 0) {
+        made.places = (size_t)(grid->columns * grid->rows);
+    }
+    return made;
+}
+
 static void corners(void)
 {
-    iris_size size = {draw_within(50, 70), draw_within(50, 70)};
-    iris_board_grid made = {draw_within(3, 5), draw_within(3, 5)};
-    iris_board_grid seen = made;
-    if (draw_chance(6)) {
-        *(draw_chance(2) ? &made.columns : &made.rows) = draw_int(IRIS_BOARD_SIDE_MIN, IRIS_BOARD_SIDE_MAX);
-    }
-    int fits = made.columns >= 3 && made.columns <= 64 && made.rows >= 3 && made.rows <= 64;
-    size = draw_chance(10) ? draw_size() : size;
-    iris_vec2 *places = OR_NULL(draw_results((size_t)(fits ? made.columns * made.rows : 0) * sizeof *places));
+    board_call made = any_board();
+    size_t w = (size_t)made.size.w, h = (size_t)made.size.h;
+    iris_vec2 *places = OR_NULL(draw_results(made.places * sizeof *places));
     iris_board_report *report = OR_NULL(draw_results(sizeof *report));
-    const iris_image *gray = draw_input(IRIS_GRAY8, size);
-    const iris_board_grid *grid = OR_NULL(draw_given(&made, sizeof made));
+    const iris_image *gray = draw_input(IRIS_GRAY8, made.size);
+    const iris_board_grid *grid = OR_NULL(draw_given(&made.grid, sizeof made.grid));
     if (!draw_chance(4)) {
-        paint_board(gray, seen);
+        paint_board(gray, made.seen);
     }
     size_t needed =
-        fits && size.w > 0 && size.h > 0
-            ? IRIS_BOARD_CORNERS_SCRATCH_BYTES((size_t)size.w, (size_t)size.h, made.columns, made.rows)
-            : 0;
+        made.places ? IRIS_BOARD_CORNERS_SCRATCH_BYTES(w, h, made.grid.columns, made.grid.rows) : 0;
     iris_scratch *scratch = draw_scratch(needed);
     CALL(iris_board_corners(places, report, gray, grid, scratch));
+}
+
+static void circles(void)
+{
+    board_call made = any_board();
+    size_t w = (size_t)made.size.w, h = (size_t)made.size.h;
+    iris_board_circle_rows rows = (iris_board_circle_rows)draw_within(0, 1);
+    iris_vec2 *places = OR_NULL(draw_results(made.places * sizeof *places));
+    iris_board_report *report = OR_NULL(draw_results(sizeof *report));
+    const iris_image *gray = draw_input(IRIS_GRAY8, made.size);
+    const iris_board_grid *grid = OR_NULL(draw_given(&made.grid, sizeof made.grid));
+    if (!draw_chance(4)) {
+        paint_circles(gray, made.seen, rows == IRIS_BOARD_CIRCLES_SHIFTED);
+    }
+    if (draw_chance(30)) {
+        rows = (iris_board_circle_rows)draw_int(IRIS_BOARD_CIRCLES, IRIS_BOARD_CIRCLES_SHIFTED);
+    }
+    size_t needed =
+        made.places ? IRIS_BOARD_CIRCLES_SCRATCH_BYTES(w, h, made.grid.columns, made.grid.rows) : 0;
+    iris_scratch *scratch = draw_scratch(needed);
+    CALL(iris_board_circles(places, report, gray, grid, rows, scratch));
 }
 
 const random_call calls_calib[] = {
     {"iris_scene_calibrate", scene},
     {"iris_board_calibrate", board},
     {"iris_board_corners", corners},
+    {"iris_board_circles", circles},
     {NULL, NULL},
 };
