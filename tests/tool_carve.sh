@@ -27,17 +27,53 @@ say $? "a PLY file"
 works "-o -" cameras.txt side2_mask.bmp top_mask.bmp side_mask.bmp $box --voxels 20 -o -
 cmp -s out model.ply; say $? "the model on standard output alone"
 works "--json" cameras.txt top_mask.bmp side_mask.bmp $box --voxels 20 --json
-grep -qx '{"counts":\[20,20,20\],"views":2,"matched":"name","voxels":480,"surface":[0-9]*,"box":\[-0.5,-0.3,-0.4,0.5,0.3,0.4\]}' out
+grep -qx '{"counts":\[20,20,20\],"views":2,"matched":"name","photos":0,"removed":0,"rounds":0,"voxels":480,"surface":[0-9]*,"pieces":1,"largest":480,"box":\[-0.5,-0.3,-0.4,0.5,0.3,0.4\]}' out
 say $? "its figures"
 mkdir ordered; cp top_mask.bmp ordered/1.bmp; cp side_mask.bmp ordered/2.bmp; cp side2_mask.bmp ordered/3.bmp
 works "a folder, by order" cameras.txt ordered --box=-1,-1,-1,1,1,0 --voxels 20 --json
-grep -q '"counts":\[20,20,10\],"views":3,"matched":"order","voxels":240,' out; say $? "voxels are cubes"
+grep -q '"counts":\[20,20,10\],"views":3,"matched":"order",.*"voxels":240,' out; say $? "voxels are cubes"
 rectangle 0 0 top_black.bmp
 works "an empty silhouette" cameras.txt top_black.bmp $box --voxels 8 --json
-grep -q '"voxels":0,"surface":0,"box":null}' out; say $? "leaves nothing"
+grep -q '"voxels":0,"surface":0,"pieces":0,"largest":0,"box":null}' out; say $? "leaves nothing"
+
+# A third of a turn to the side of the camera above: two views of the same gray, or not.
+awk 'BEGIN { k = "100000 0 99.5 0 100000 99.5 0 0 1"; print 2
+    print "top.png", k, "1 0 0 0 1 0 0 0 1", "0 0 1000"
+    print "tilted.png", k, "1 0 0 0 0.8 0.6 0 -0.6 0.8", "0 0 1000" }' > two.txt
+mkdir agree differ
+printf 'P5 1 1 255\n2' | "$iris" convert --resize 200x200 - -o agree/top.pgm
+cp agree/top.pgm agree/tilted.pgm; cp agree/top.pgm differ/top.pgm
+"$iris" negative agree/top.pgm -o differ/tilted.pgm
+works "photos that agree" two.txt top_mask.bmp --photos agree $box --voxels 20 -o points.ply --mesh mesh.ply --json
+grep -q '"photos":2,"removed":0,"rounds":1,"voxels":1200,' out; say $? "take nothing away"
+grep -q '^property uchar blue$' points.ply && grep -q ' 50 50 50$' points.ply; say $? "points have their color"
+grep -q '^element face [1-9]' mesh.ply && grep -q ' 50 50 50$' mesh.ply && grep -q '^3 [0-9]* [0-9]* [0-9]*$' mesh.ply
+say $? "a mesh has it, too"
+works "photos that differ" two.txt top_mask.bmp --photos differ/top.pgm differ/tilted.pgm $box --voxels 20
+grep -q '^  2 photos took [1-9][0-9]* away' out; say $? "take away"
+works "a difference that is let pass" two.txt top_mask.bmp --photos differ --levels 255 $box --voxels 20
+grep -q '^  2 photos took 0 away' out; say $? "takes nothing"
+works "photos without silhouettes" two.txt $box --voxels 8 --json --photos agree
+grep -q '"views":0,"matched":"name","photos":2,"removed":0,' out; say $? "are enough"
+works "a mesh without photos" cameras.txt top_mask.bmp side_mask.bmp $box --voxels 20 --mesh plain.ply
+grep -q '^element face' plain.ply && ! grep -q uchar.red plain.ply; say $? "has no colors"
+{ printf 'P5 200 200 255\n'; awk 'BEGIN { for (i = 0; i < 40000; i++) printf "%s", ((i % 200 < 60 || i % 200 > 140) && i % 200 > 40 && i % 200 < 160 ? "~" : "!") }'; } > two.pgm
+"$iris" threshold --value 64 two.pgm -o top_two.bmp
+works "two pieces" cameras.txt top_two.bmp $box --voxels 20
+grep -q '^  2 pieces, the largest of 800 voxels$' out && grep -q '^  from -0.6 -1 -1 to -0.4 1 1$' out; say $? "the box is that of one"
 works "--help" --help
 grep -q -- '--voxels N' out; say $? "its options"
 
+sed 's/^tilted.*/tilted.png 1 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 0 1 0 0 9/' two.txt > flat.txt
+cp agree/top.pgm other.pgm
+"$iris" convert --resize 100x100 differ/top.pgm -o top_small.pgm
+refuses "a photo of another size" 1 'top_small.pgm: 100x100 pixels, but its silhouette has 200x200' two.txt top_mask.bmp --photos top_small.pgm $box
+refuses "no photo" 2 'photos: is given once, with pictures' two.txt top_mask.bmp $box --photos
+refuses "--photos twice" 2 'photos: is given once' two.txt top_mask.bmp $box --photos agree --photos differ
+refuses "levels out of range" 2 'levels' two.txt top_mask.bmp $box --photos agree --levels 256
+refuses "a mesh on standard output" 2 'mesh: a file' two.txt top_mask.bmp $box --mesh -
+refuses "a photo of no camera" 1 'other.pgm' two.txt top_mask.bmp $box --photos agree/top.pgm other.pgm
+refuses "cameras that are none" 1 'numbers are those of no camera' flat.txt top_mask.bmp $box --photos agree
 refuses "no silhouette" 2 'CAMERAS and a SILHOUETTE' cameras.txt $box
 refuses "no box" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp
 refuses "a box of five numbers" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp --box=0,0,0,1,1
@@ -62,7 +98,7 @@ refuses "a folder that is not there" 1 'nowhere/m.ply' cameras.txt top_mask.bmp 
 
 if [ -d "$data/carve/dinoSparseRing" ]; then
     works "a dinosaur" "$data/carve/dinoSparseRing/dinoSR_par.txt" "$data"/carve/dinoSparseRing/*_sil.bmp --box=-0.07,-0.03,-0.07,0.02,0.08,0.025 --json
-    grep -q '"counts":\[90,110,95\],"views":16,"matched":"name","voxels":12[0-9]*,' out; say $? "its voxels"
+    grep -q '"counts":\[90,110,95\],"views":16,"matched":"name",.*"voxels":12[0-9]*,' out; say $? "its voxels"
 else
     echo "ok - a dinosaur # SKIP no data (IRIS_DATA)"
 fi

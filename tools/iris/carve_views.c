@@ -53,7 +53,7 @@ static int read_cameras(carve_views *views, char *rest, const char *path)
                 return 0;
             }
         }
-        view->silhouette = NULL;
+        view->silhouette = view->photo = NULL;
         if (!multiply(view->m, numbers)) {
             complain(path, "camera %d of %d (%s): its numbers are too large", i + 1, views->count,
                      view->name);
@@ -103,10 +103,10 @@ static size_t stem_length(const char *name)
     return dot && dot != name ? (size_t)(dot - name) : strlen(name);
 }
 
-/* The camera that the silhouette is named after; null: none. */
-static carve_view *named(carve_views *views, const char *silhouette)
+/* The camera that the picture is named after; null: none. */
+static carve_view *named(carve_views *views, const char *picture)
 {
-    const char *base = base_of(silhouette);
+    const char *base = base_of(picture);
     carve_view *best = NULL;
     size_t longest = 0;
     for (int i = 0; i < views->count; i++) {
@@ -119,28 +119,30 @@ static carve_view *named(carve_views *views, const char *silhouette)
     return best;
 }
 
-int carve_views_match(carve_views *views, char **silhouettes, int count, const char *path)
+int carve_views_match(carve_views *views, carve_kind kind, char **pictures, int count, const char *path)
 {
     int by_name = 0;
     for (int i = 0; i < count; i++) {
-        by_name += named(views, silhouettes[i]) != NULL;
+        by_name += named(views, pictures[i]) != NULL;
     }
     views->by_name = by_name > 0;
     if (by_name == 0 && count != views->count) {
-        complain(path, "%d cameras, but %d silhouettes, which are not named after them", views->count, count);
+        complain(path, "%d cameras, but %d %s, which are not named after them", views->count, count,
+                 kind == CARVE_PHOTOS ? "photos" : "silhouettes");
         return 0;
     }
     for (int i = 0; i < count; i++) {
-        carve_view *view = by_name > 0 ? named(views, silhouettes[i]) : &views->views[i];
+        carve_view *view = by_name > 0 ? named(views, pictures[i]) : &views->views[i];
         if (!view) {
-            complain(silhouettes[i], "named after no camera of %s, as others are", path);
+            complain(pictures[i], "named after no camera of %s, as others are", path);
             return 0;
         }
-        if (view->silhouette) {
-            complain(silhouettes[i], "%s is of the same camera: %s", view->silhouette, view->name);
+        const char **to = kind == CARVE_PHOTOS ? &view->photo : &view->silhouette;
+        if (*to) {
+            complain(pictures[i], "%s is of the same camera: %s", *to, view->name);
             return 0;
         }
-        view->silhouette = silhouettes[i];
+        *to = pictures[i];
     }
     return 1;
 }
