@@ -237,10 +237,101 @@ static void score_seen(score *s)
               "rms %.4f px, focal length %.3f", real(fit.rms), real(fit.intrinsics.alpha_u));
 }
 
+/* What a picture becomes: the noise of 20 levels is the sum of twelve random numbers. */
+enum { HALVED, NOISY, DARK, BLURRED, TURNED, WORSE };
+
+static double worse_level(const iris_image *from, int how, int x, int y)
+{
+    static uint32_t random = 1;
+    double sum = 0;
+    const int reach = how == BLURRED ? 4 : 0;
+    for (int k = 0; k < (2 * reach + 1) * (2 * reach + 1); k++) {
+        const int u = x + k % (2 * reach + 1) - reach, v = y + k / (2 * reach + 1) - reach;
+        const uint8_t *row = iris_image_row(from, v < 0 ? 0 : v >= from->h ? from->h - 1 : v);
+        sum += row[u < 0 ? 0 : u >= from->w ? from->w - 1 : u];
+    }
+    sum /= (2 * reach + 1) * (2 * reach + 1);
+    for (int k = 0; how == NOISY && k < 12; k++) {
+        random = random * 1664525u + 1013904223u;
+        sum += 20 * (random / 4294967296.0 - 0.5);
+    }
+    return how == DARK ? sum / 5 : sum < 0 ? 0 : sum > 255 ? 255 : sum;
+}
+
+static iris_image made_worse(const iris_image *from, int how)
+{
+    const iris_size size = how == HALVED   ? (iris_size){from->w / 2, from->h / 2}
+                           : how == TURNED ? (iris_size){from->h, from->w}
+                                           : (iris_size){from->w, from->h};
+    iris_image to = picture_make(size.w, size.h, IRIS_GRAY8);
+    for (int y = 0; to.data && y < size.h; y++) {
+        uint8_t *row = iris_image_row(&to, y);
+        for (int x = 0; x < size.w; x++) {
+            if (how == HALVED) {
+                const uint8_t *a = iris_image_row(from, 2 * y), *b = iris_image_row(from, 2 * y + 1);
+                row[x] = (uint8_t)((a[2 * x] + a[2 * x + 1] + b[2 * x] + b[2 * x + 1] + 2) / 4);
+            } else {
+                row[x] = (uint8_t)(how == TURNED ? worse_level(from, how, y, from->h - 1 - x)
+                                                 : worse_level(from, how, x, y));
+            }
+        }
+    }
+    return to;
+}
+
+/* Where a corner of the picture goes. */
+static void move_worse(iris_q32 list[108], int how, int32_t h)
+{
+    for (int k = 0; k < 54; k++) {
+        const iris_q32 x = list[2 * k], y = list[2 * k + 1];
+        list[2 * k] = how == HALVED   ? (x - IRIS_Q32_ONE / 2) / 2
+                      : how == TURNED ? (h - 1) * IRIS_Q32_ONE - y
+                                      : x;
+        list[2 * k + 1] = how == HALVED ? (y - IRIS_Q32_ONE / 2) / 2 : how == TURNED ? x : y;
+    }
+}
+
+/* The same pictures at half their size, with noise, darker, out of focus, and turned. */
+static void score_worse(score *s)
+{
+    static const char what[] =
+        "the same at half size, noise of 20, a fifth of the light, blurred 9x9, turned: found; off";
+    int seen = 0, there = 0;
+    double medians[WORSE] = {0};
+    for (int n = 0; n < SEEN; n++) {
+        char name[64], list_name[64];
+        iris_vec2 corners[54];
+        iris_q32 list[108];
+        iris_image gray;
+        snprintf(name, sizeof name, "calib/chessboard/left%02d.pgm", seen_numbers[n]);
+        snprintf(list_name, sizeof list_name, "calib/chessboard/left%02d_corners.txt", seen_numbers[n]);
+        int loaded = picture_load(&gray, name, IRIS_GRAY8) == IRIS_OK;
+        for (int how = 0; loaded && how < WORSE && read_numbers(list, 108, list_name) == 108; how++) {
+            iris_image worse = made_worse(&gray, how);
+            double most = 0;
+            there++;
+            move_worse(list, how, gray.h);
+            if (worse.data && find_corners(corners, &worse)) {
+                seen++;
+                medians[how] = fmax(medians[how], median_off(&most, corners, list));
+            }
+            free(worse.data);
+        }
+        free(gray.data);
+    }
+    if (there == 0) {
+        score_row(s, what, "20 of 20", SCORE_SKIPPED, "no data (IRIS_DATA)");
+        return;
+    }
+    score_row(s, what, "20 of 20", score_if(seen == there), "%d; medians %.2f, %.2f, %.2f, %.2f, %.2f px",
+              seen, medians[HALVED], medians[NOISY], medians[DARK], medians[BLURRED], medians[TURNED]);
+}
+
 void score_calib(score *s)
 {
     score_scene(s);
     score_zhang(s);
     score_chessboard(s);
     score_seen(s);
+    score_worse(s);
 }

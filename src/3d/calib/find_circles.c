@@ -295,7 +295,8 @@ static void put_right(iris_vec2 *centers, const search *s)
         cell = cell < 65536 ? 65536 : cell;
         add_bend(bend, lattice, c, 0);
         add_bend(bend, lattice, c, 1);
-        const int64_t share = ((int64_t)c->size * c->size << 20) / cell; /* (diameter / step)^2, 2^12 for 1 */
+        int64_t share = ((int64_t)c->size * c->size << 20) / cell; /* (diameter / step)^2, 2^12 for 1 */
+        share = share > 4096 ? 4096 : share;
         centers[k].x -= bend[0] * share * (IRIS_Q32_ONE / (256 * 4096 * 8));
         centers[k].y -= bend[1] * share * (IRIS_Q32_ONE / (256 * 4096 * 8));
     }
