@@ -38,6 +38,12 @@ for robot in over ahead slow; do
         done
     done
 done
+for seed in 1 2 3; do
+    "$demo" --walls --quick --seed $seed > "$root/log" 2>&1 && grep -q '^PASSED' "$root/log"
+    say $? "a walled course mapped, and the robot found in it (noise $seed)"
+done
+"$demo" --walls --out "$root/walls" > "$root/log" 2>&1 && [ "$(ls "$root/walls")" = map.bmp ]
+say $? "the map is there"
 "$demo" --junction t --take left --robot none > "$root/log" 2>&1
 [ $? -eq 2 ]
 say $? "a robot that does not exist"

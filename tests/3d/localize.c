@@ -247,6 +247,37 @@ static void a_corridor_is_ambiguous(void **state)
     }
 }
 
+/* What the scan leaves open the prediction decides, when it is sure; what the scan tells it does not change much. */
+static void a_sure_prediction_decides(void **state)
+{
+    (void)state;
+    const iris_grid grid = grid_at(0, 0);
+    wall(0, 35, 89, 35);
+    wall(0, 55, 89, 55);
+    const iris_field field = field_of(&grid);
+    const iris_scan scan = look(&grid, 2275, 2275, 0, 1500, 5);
+    iris_localize_config config;
+    iris_localize_defaults(&config);
+    const iris_map_pose predicted = {2400, 2235, 200};
+    config.window_cells = 9; /* not even around the corridor's cells */
+    iris_location found = locate(&field, predicted, &scan, &config);
+    assert_true(found.verdict == IRIS_LOCALIZE_AMBIGUOUS && !iris_location_is_of_use(&found, &config));
+    config.predicted_mm = 40;
+    config.predicted_angle = 364;
+    found = locate(&field, predicted, &scan, &config);
+    assert_true(found.verdict == IRIS_LOCALIZE_AMBIGUOUS && iris_location_is_of_use(&found, &config));
+    assert_true(abs(found.pose.x_mm - 2400) < CELL / 4);
+    assert_true(abs(found.pose.y_mm - 2275) < CELL / 2);
+    config.predicted_mm = INT32_MAX;
+    config.predicted_angle = 1;
+    found = locate(&field, predicted, &scan, &config);
+    assert_true(abs(found.pose.heading - 200) <= 91);
+    config.predicted_mm = 1;
+    config.predicted_angle = INT16_MAX;
+    found = locate(&field, predicted, &scan, &config);
+    assert_true(abs(found.pose.x_mm - 2400) <= CELL && abs(found.pose.y_mm - 2235) <= CELL);
+}
+
 static void a_round_room_has_no_heading(void **state)
 {
     (void)state;
@@ -339,10 +370,11 @@ static void bad_arguments(void **state)
     memset(&location, 0x5A, sizeof location);
     before = location;
     assert_int_equal(iris_scratch_init(&scratch, matching.memory, sizeof matching.memory), IRIS_OK);
-    const iris_localize_config bad[] = {{0, 20, 91, 40, 20},    {201, 20, 91, 40, 20}, {10, -1, 91, 40, 20},
-                                        {10, 1001, 1, 40, 20},  {10, 20, 0, 40, 20},   {10, 20, -5, 40, 20},
-                                        {10, 20, 1639, 40, 20}, {10, 20, 91, 0, 20},   {10, 20, 91, 101, 20},
-                                        {10, 20, 91, 40, 0}};
+    const iris_localize_config bad[] = {
+        {0, 20, 91, 40, 20, 0, 0},    {201, 20, 91, 40, 20, 0, 0},  {10, -1, 91, 40, 20, 0, 0},
+        {10, 1001, 1, 40, 20, 0, 0},  {10, 20, 0, 40, 20, 0, 0},    {10, 20, -5, 40, 20, 0, 0},
+        {10, 20, 1639, 40, 20, 0, 0}, {10, 20, 91, 0, 20, 0, 0},    {10, 20, 91, 101, 20, 0, 0},
+        {10, 20, 91, 40, 0, 0, 0},    {10, 20, 91, 40, 20, -1, 10}, {10, 20, 91, 40, 20, 10, -1}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         assert_int_equal(iris_localize(&location, &field, there, &scan, &bad[i], &scratch), IRIS_ERR_ARG);
     }
@@ -374,6 +406,7 @@ int main(void)
         cmocka_unit_test(as_by_trying_all),
         cmocka_unit_test(a_robot_is_found),
         cmocka_unit_test(a_corridor_is_ambiguous),
+        cmocka_unit_test(a_sure_prediction_decides),
         cmocka_unit_test(a_round_room_has_no_heading),
         cmocka_unit_test(walls_that_repeat_are_ambiguous),
         cmocka_unit_test(nothing_to_match),

@@ -18,6 +18,7 @@ figures: $(OUT)/iris-demo $(if $(CROSS_GAP),,$(COUNTER))
 	@$< --out $(FIGURES)/drive-pictures > $(FIGURES)/drive || true
 	@$< --quick --blank > $(FIGURES)/blank || true
 	@$< --quick --floor > $(FIGURES)/drive-floor || true
+	@$< --quick --walls > $(FIGURES)/walls || true
 ifneq ($(CROSS_GAP),)
 	@for f in 1-M4 2-M0 size; do echo 'skipped: no $(CROSS_GAP) (make deps)' > $(FIGURES)/$$f; done
 else

@@ -7,12 +7,13 @@
 #include <sys/stat.h>
 
 #include "branch.h"
+#include "explore.h"
 #include "frames.h"
 #include "picture.h"
 
 static const char HELP[] =
-    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--floor] [--frames DIR [--count "
-    "N]]\n"
+    "usage: iris-demo [--laps N] [--out DIR] [--seed N] [--quick] [--blank] [--floor] [--walls]\n"
+    "                 [--frames DIR [--count N]]\n"
     "\n"
     "Drives a simulated robot around a taped course by its camera alone, and writes pictures of the drive.\n"
     "Exit code 0 when all laps are done and the robot was never off the line by half its width, else 1.\n"
@@ -28,11 +29,15 @@ static const char HELP[] =
     "  --robot R     over one junction: demo (default), over (camera over the axle), ahead, or slow\n"
     "  --frames DIR  no drive: write camera frames along the course, and where the tape is in them\n"
     "  --count N     how many, 1 to 9999 (default 120)\n"
+    "  --walls       another course instead, with walls: the robot maps it by disparities, and finds itself "
+    "in\n"
+    "                that map; exit code 0 when it is never off by a cell. With --frames both laps for iris "
+    "map\n"
     "\n"
     "example: iris-demo --laps 3 --seed 7 --out /tmp/drive\n";
 
 typedef struct {
-    int laps, count, quick, blank, floor;
+    int laps, count, quick, blank, floor, walls;
     uint32_t seed;
     const char *out, *frames, *junction, *take, *robot;
 } options;
@@ -61,6 +66,8 @@ static int read_options(options *o, int argc, char **argv)
             o->blank = 1;
         } else if (strcmp(name, "--floor") == 0) {
             o->floor = 1;
+        } else if (strcmp(name, "--walls") == 0) {
+            o->walls = 1;
         } else if (strcmp(name, "--laps") == 0 && whole_number(&number, value, 1, 20)) {
             o->laps = (int)number;
             i++;
@@ -175,6 +182,19 @@ static int drive(const options *o, const sim_floor *floor, sim_camera *camera)
     return good ? 0 : 1;
 }
 
+static int explore(const options *o)
+{
+    char first[300], second[300];
+    const char *picture = o->quick ? NULL : o->out, *frames = o->frames;
+    snprintf(first, sizeof first, "%s/first", frames ? frames : "");
+    snprintf(second, sizeof second, "%s/second", frames ? frames : "");
+    if ((picture && !make_folder(picture)) || (frames && (!make_folder(first) || !make_folder(second)))) {
+        fprintf(stderr, "iris-demo: %s: cannot make this folder\n", frames ? frames : picture);
+        return 1;
+    }
+    return sim_explore(o->seed, picture, frames);
+}
+
 int main(int argc, char **argv)
 {
     static sim_track track;
@@ -193,6 +213,9 @@ int main(int argc, char **argv)
                     "iris-demo: --junction, --take, --robot: no such turn or robot (--help tells more)\n");
         }
         return code < 0 ? 2 : !code;
+    }
+    if (o.walls) {
+        return explore(&o);
     }
     sim_track_build(&track);
     sim_camera_init(&camera, o.seed);

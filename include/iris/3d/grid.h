@@ -58,9 +58,9 @@ void iris_fusion_defaults(iris_fusion *fusion);
  * of them ends at something (as the first of them says), else as missed where one goes through. Beams leave the grid at
  * its edge, and what is outside is not kept.
  *
- * A range is not sure: with s the beam's spread and c the cell's side, a hit is worth hit c / (c + 2 s), at least 1; of a
- * beam with s above 2 c it is worth nothing. The beam frees what is nearer than its end less s (2 s, where the hit is
- * worth nothing).
+ * A range is not sure: with s the beam's spread and c the cell's side, a hit is worth hit c / (c + s), at least 1; of a
+ * beam with s above 2 c it is worth nothing. The beam frees what is nearer than its end less 2 s. What it met is the first
+ * occupied cell from there on, if there is one, and else where it ends: walls do not grow backwards.
  *
  * fusion may be null for the defaults. IRIS_ERR_ARG: null pointer, an invalid grid, scan, or fusion; IRIS_ERR_RANGE: the
  * sensor is outside of the grid; IRIS_ERR_SCRATCH: less than IRIS_GRID_FUSE_SCRATCH_BYTES(w, h). Nothing is changed then.

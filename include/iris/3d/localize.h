@@ -54,12 +54,17 @@ typedef struct {
                               below half a turn to each side */
     int32_t least_percent; /* the least score, 1 to 100; default 40 */
     int32_t least_beams;   /* so many beams must end at something, 1 and more; default 20 */
+    /* How sure the prediction is: standard deviations of its place and of its heading, which weigh the places that the
+     * scan leaves open; 0, the default: it tells nothing but where to look. */
+    int32_t predicted_mm;
+    iris_angle predicted_angle;
 } iris_localize_config;
 
 #define IRIS_LOCALIZE_WINDOW_MAX 200
 #define IRIS_LOCALIZE_STEPS_MAX  1000
 
-/* As given above. Null is ignored. */
+/* As given above: for a robot that does not know where it is, within the window. One that does, from the last scan and
+ * the step since then, sets predicted_mm and predicted_angle, too, to some millimeters and a degree. Null is ignored. */
 void iris_localize_defaults(iris_localize_config *config);
 
 typedef enum {
@@ -82,6 +87,15 @@ typedef struct {
     iris_angle spread_along; /* that direction, -90 to 90 degrees from the map's x */
 } iris_location;
 
+/* Is the pose better than the prediction? When it was found; and when it is ambiguous, if the prediction was given as sure:
+ * it decides then what the scan leaves open. */
+static inline int iris_location_is_of_use(const iris_location *location, const iris_localize_config *config)
+{
+    return location->verdict == IRIS_LOCALIZE_FOUND ||
+           (location->verdict == IRIS_LOCALIZE_AMBIGUOUS && config->predicted_mm > 0 &&
+            config->predicted_angle > 0);
+}
+
 #define IRIS_LOCALIZE_BLOCKS(window_cells)                                                                   \
     ((2u * (size_t)(window_cells) + IRIS_FIELD_BLOCK) / IRIS_FIELD_BLOCK)
 #define IRIS_LOCALIZE_SCRATCH_BYTES(beams, window_cells, angle_steps)                                        \
@@ -91,7 +105,8 @@ typedef struct {
 
 /* Finds the robot. Beams count that end at something, with a spread of at most 2 cells (grid.h); each is worth what the
  * field says where it ends, and the score is their mean. Among equal places the one nearest to the prediction is taken.
- * The place is refined between cells and angle steps by parabolas.
+ * The pose is the mean of all places within a tenth of the best score, by how much they are above that, and by how likely the
+ * prediction makes them: d standard deviations away, (1 + d^2 / 2)^-2 as much.
  *
  * It is refused as ambiguous when places within a tenth of the best score spread more than 3 cells (or window_cells / 2,
  * if that is less) or more than half of the angle steps: in a corridor, unless an eighth of the beams sees something

@@ -65,7 +65,7 @@ typedef enum {
 typedef struct {
     iris_depth_kind kind;
     iris_q16 focal_q16;      /* pixels, 1 and more */
-    iris_q16 baseline_q16;   /* millimeters, above 0; disparities only. focal times baseline is below 2^23 */
+    iris_q16 baseline_q16;   /* millimeters; disparities only: focal times baseline is from 1 to below 2^23 */
     iris_q16 u0_q16, v0_q16; /* the principal point */
     iris_map_pose mount;     /* where the lens is on the robot; its heading is where the camera looks */
     int32_t height_mm;       /* of the lens above the floor, 0 to IRIS_SCAN_REACH_MAX_MM */
@@ -87,11 +87,13 @@ void iris_depth_camera_defaults(iris_depth_camera *camera, iris_size size, iris_
 
 /* The beams of a picture of depths: one for each column of a level camera in the same place, which are the columns of the
  * picture where it is not tilted. A column's beam ends at the nearest thing in the way: at the mean of those of its pixels
- * that are at most 4 standard deviations (or 2 %) farther than the third nearest one, so that two wrong matches are none.
+ * that are up to 4 standard deviations (or 2 %) farther than the third nearest one, and half of that nearer, so that two
+ * wrong matches are none.
  * Without such a thing, it is free as far as floor was seen, or to far_mm if something was seen farther away.
  *   beams       room for as many as the picture is wide; *count: how many there are, from left to right
  *   depth       IRIS_GRAY_U16
- * The spread of a beam is that of a single pixel, since matches side by side err alike.
+ * The spread of a beam is that of a pixel, and less where more than 8 pixels make the mean, which err alike, as matches of
+ * a window do: that over the square root of n / 8.
  * IRIS_ERR_ARG: null pointer, or a field of the camera outside its range; errors of iris_image_check; IRIS_ERR_FORMAT;
  * IRIS_ERR_SCRATCH: less than IRIS_SCAN_FROM_DEPTH_SCRATCH_BYTES(w). O(w h), twice a division for each pixel. */
 iris_status iris_scan_from_depth(iris_beam *beams, int32_t *count, const iris_image *depth,

@@ -22,7 +22,7 @@ int32_t iris_fusion_hit(const iris_fusion *fusion, int32_t spread_mm, int32_t ce
     if (spread_mm > 2 * cell_mm) {
         return 0;
     }
-    const int32_t whole = cell_mm + 2 * spread_mm, worth = (fusion->hit * cell_mm + whole / 2) / whole;
+    const int32_t whole = cell_mm + spread_mm, worth = (fusion->hit * cell_mm + whole / 2) / whole;
     return worth > 1 ? worth : 1;
 }
 
@@ -57,39 +57,73 @@ static void add(const fusing *f, int32_t x, int32_t y, int32_t gain)
     }
 }
 
+/* Where on the beam: `part` millimeters from the sensor, of its length. */
+static void part_of(int32_t at[3], const fusing *f, const iris_beam *beam, int32_t part, int32_t length)
+{
+    const int64_t dx = beam->x_mm - f->scan->x_mm, dy = beam->y_mm - f->scan->y_mm;
+    place_of(at, f, f->scan->x_mm + (int32_t)(dx * part / length),
+             f->scan->y_mm + (int32_t)(dy * part / length));
+}
+
+static int32_t length_of(const fusing *f, const iris_beam *beam)
+{
+    return (int32_t)iris_hypot(beam->x_mm - f->scan->x_mm, beam->y_mm - f->scan->y_mm);
+}
+
+/* The cell that the beam met: the first one that is known to be occupied, of those that it may have met; else where it
+ * ends. Else walls would grow backwards, where nobody sees that they end. */
+static void met_by(int32_t at[3], const fusing *f, const iris_beam *beam)
+{
+    const int32_t length = length_of(f, beam), unsure = 2 * beam->spread_mm;
+    int32_t from[3], to[3];
+    iris_ray ray;
+    if (length == 0 || unsure == 0) {
+        place_of(to, f, beam->x_mm, beam->y_mm);
+        iris_ray_start(&ray, to, to, f->grid->cell_mm);
+    } else {
+        part_of(from, f, beam, length > unsure ? length - unsure : 0, length);
+        part_of(to, f, beam, length, length);
+        iris_ray_start(&ray, from, to, f->grid->cell_mm);
+    }
+    do {
+        at[0] = ray.at[0];
+        at[1] = ray.at[1];
+    } while (!(is_inside(f->grid, at[0], at[1]) &&
+               f->grid->odds[(size_t)at[1] * (size_t)f->grid->w + (size_t)at[0]] >= IRIS_ODDS_OCCUPIED) &&
+             iris_ray_next(&ray));
+}
+
 static void add_hit(const fusing *f, const iris_beam *beam)
 {
-    const int32_t cell = f->grid->cell_mm, worth = iris_fusion_hit(&f->fusion, beam->spread_mm, cell);
-    int32_t end[3];
-    place_of(end, f, beam->x_mm, beam->y_mm);
-    const int32_t x = iris_ray_floor(end[0], cell), y = iris_ray_floor(end[1], cell);
-    if (worth > 0 && is_inside(f->grid, x, y)) {
-        add(f, x, y, worth);
+    const int32_t worth = iris_fusion_hit(&f->fusion, beam->spread_mm, f->grid->cell_mm);
+    int32_t at[3];
+    if (worth > 0) {
+        met_by(at, f, beam);
+        if (is_inside(f->grid, at[0], at[1])) {
+            add(f, at[0], at[1], worth);
+        }
     }
 }
 
 /* How much of the beam is free: in millimeters from the sensor, of its length. */
-static int32_t free_part(const fusing *f, const iris_beam *beam, int32_t length)
+static int32_t free_part(const iris_beam *beam, int32_t length)
 {
     if (!beam->hit) {
         return length;
     }
-    const int sure = iris_fusion_hit(&f->fusion, beam->spread_mm, f->grid->cell_mm) > 0;
-    const int32_t unsure = sure ? beam->spread_mm : 2 * beam->spread_mm;
+    const int32_t unsure = 2 * beam->spread_mm;
     return length > unsure ? length - unsure : 0;
 }
 
 static void add_misses(const fusing *f, const iris_beam *beam)
 {
-    const int32_t dx = beam->x_mm - f->scan->x_mm, dy = beam->y_mm - f->scan->y_mm;
-    const int32_t length = (int32_t)iris_hypot(dx, dy), part = free_part(f, beam, length);
+    const int32_t length = length_of(f, beam);
     int32_t end[3];
     iris_ray ray;
     if (length == 0) {
         return;
     }
-    place_of(end, f, f->scan->x_mm + (int32_t)((int64_t)dx * part / length),
-             f->scan->y_mm + (int32_t)((int64_t)dy * part / length));
+    part_of(end, f, beam, free_part(beam, length), length);
     iris_ray_start(&ray, f->sensor, end, f->grid->cell_mm);
     do {
         if (!is_inside(f->grid, ray.at[0], ray.at[1])) {

@@ -18,8 +18,10 @@ typedef struct {
     int32_t score, angle, x, y;
 } candidate;
 
+/* Of the places near the best score, from the best one on. */
 typedef struct {
     int64_t weight, xx, yy, xy, aa;
+    int64_t likely, x, y, a; /* with what was predicted */
 } moments;
 
 typedef struct {
@@ -37,7 +39,8 @@ typedef struct {
 void iris_localize_defaults(iris_localize_config *config)
 {
     if (config) {
-        *config = (iris_localize_config){10, 20, 91, 40, 20};
+        *config = (iris_localize_config){
+            .window_cells = 10, .angle_steps = 20, .angle_step = 91, .least_percent = 40, .least_beams = 20};
     }
 }
 
@@ -143,6 +146,21 @@ static void take_better(matching *m, const candidate *c)
     }
 }
 
+/* How likely a place is by the prediction alone: 4096 / (1 + d^2 / 2)^2 for d standard deviations. */
+static int64_t prior_of(const matching *m, const candidate *c)
+{
+    const iris_localize_config *by = &m->config;
+    const int64_t cell = m->field->cell_mm, turned = (int64_t)apart(m, c) * by->angle_step;
+    int64_t q = 256; /* 8 fraction bits */
+    if (by->predicted_mm > 0) {
+        q += (c->x * c->x + c->y * c->y) * cell * cell * 128 / ((int64_t)by->predicted_mm * by->predicted_mm);
+    }
+    if (by->predicted_angle > 0) {
+        q += turned * turned * 128 / ((int64_t)by->predicted_angle * by->predicted_angle);
+    }
+    return q < 32768 ? ((int64_t)4096 << 16) / (q * q) : 0;
+}
+
 /* Weighs it by how much it is above the limit, 1 to 256. */
 static void take_part(matching *m, const candidate *c)
 {
@@ -150,13 +168,18 @@ static void take_part(matching *m, const candidate *c)
     if (above < 0) {
         return;
     }
-    const int64_t weight = 1 + (int64_t)above * 255 / range, x = c->x - m->best.x, y = c->y - m->best.y,
-                  a = c->angle - m->best.angle;
-    m->spread.weight += weight;
-    m->spread.xx += weight * x * x;
-    m->spread.yy += weight * y * y;
-    m->spread.xy += weight * x * y;
-    m->spread.aa += weight * a * a;
+    const int64_t x = c->x - m->best.x, y = c->y - m->best.y, a = c->angle - m->best.angle;
+    const int64_t weight = 1 + (int64_t)above * 255 / range, likely = weight * prior_of(m, c);
+    moments *s = &m->spread;
+    s->weight += weight;
+    s->xx += weight * x * x;
+    s->yy += weight * y * y;
+    s->xy += weight * x * y;
+    s->aa += weight * a * a;
+    s->likely += likely;
+    s->x += likely * x;
+    s->y += likely * y;
+    s->a += likely * a;
 }
 
 static int32_t smaller(int32_t a, int32_t b)
@@ -214,33 +237,17 @@ static void measure_spread(matching *m)
 
 /* --- what comes of it --- */
 
-/* Where the parabola through three scores is highest, in 256ths from the middle one. */
-static int32_t peak_of(int64_t before, int64_t middle, int64_t behind)
+/* The mean of what is likely; the best place, where nothing is by the prediction. */
+static iris_map_pose mean_of(const matching *m)
 {
-    const int64_t bend = before - 2 * middle + behind;
-    if (bend >= 0) {
-        return 0;
-    }
-    const int64_t at = 128 * (before - behind) / bend;
-    return at > 128 ? 128 : at < -128 ? -128 : (int32_t)at;
-}
-
-static iris_map_pose refine(matching *m)
-{
-    const candidate *best = &m->best;
-    const int64_t cell = m->field->cell_mm, score = best->score;
-    turn_to(m, best->angle);
-    const int32_t x = peak_of(score_at(m, best->x - 1, best->y), score, score_at(m, best->x + 1, best->y));
-    const int32_t y = peak_of(score_at(m, best->x, best->y - 1), score, score_at(m, best->x, best->y + 1));
-    turn_to(m, best->angle - 1);
-    const int32_t before = score_at(m, best->x, best->y);
-    turn_to(m, best->angle + 1);
-    const int32_t turned = peak_of(before, score, score_at(m, best->x, best->y));
+    const moments *s = &m->spread;
+    const int64_t all = s->likely > 0 ? s->likely : 1, cell = m->field->cell_mm, step = m->config.angle_step;
+    const int64_t x = s->x * 256 / all + 256 * (int64_t)m->best.x,
+                  y = s->y * 256 / all + 256 * (int64_t)m->best.y, a = s->a * 256 / all;
     return (iris_map_pose){
-        m->predicted.x_mm + (int32_t)iris_round_shift(cell * (256 * best->x + x), 8),
-        m->predicted.y_mm + (int32_t)iris_round_shift(cell * (256 * best->y + y), 8),
-        iris_angle_wrap(heading_of(m, best->angle) +
-                        (int32_t)iris_round_shift((int64_t)turned * m->config.angle_step, 8))};
+        m->predicted.x_mm + (int32_t)iris_round_shift(cell * x, 8),
+        m->predicted.y_mm + (int32_t)iris_round_shift(cell * y, 8),
+        iris_angle_wrap(heading_of(m, m->best.angle) + (int32_t)iris_round_shift(step * a, 8))};
 }
 
 static int is_spread(const matching *m, int64_t places, int64_t angles)
@@ -258,7 +265,7 @@ static int is_at_edge(const matching *m)
            (steps > 0 && apart(m, b) == steps);
 }
 
-static void conclude(iris_location *location, matching *m)
+static void conclude(iris_location *location, const matching *m)
 {
     const moments *s = &m->spread;
     /* variances with 8 fraction bits, in cells and in angle steps */
@@ -267,7 +274,7 @@ static void conclude(iris_location *location, matching *m)
     const int64_t xy = s->xy * 256 / weight, apart_2 = (xx - yy) * (xx - yy) + 4 * xy * xy;
     const int64_t most = (xx + yy + iris_sqrt_u64((uint64_t)apart_2)) / 2, cell = m->field->cell_mm,
                   step = m->config.angle_step;
-    location->pose = refine(m);
+    location->pose = mean_of(m);
     location->score_permille = (int32_t)((int64_t)m->best.score * 1000 / ((int64_t)TOP * m->beams));
     location->spread_mm = (int32_t)(iris_sqrt_u64((uint64_t)(most * cell * cell)) / 16u);
     location->spread_angle = (int32_t)(iris_sqrt_u64((uint64_t)(aa * step * step)) / 16u);
@@ -298,11 +305,11 @@ static iris_location match(matching *m)
 
 static iris_status check(const iris_field *field, const iris_localize_config *c)
 {
-    const int fits = field->near && field->blocks && c->window_cells >= 1 &&
-                     c->window_cells <= IRIS_LOCALIZE_WINDOW_MAX && c->angle_steps >= 0 &&
-                     c->angle_steps <= IRIS_LOCALIZE_STEPS_MAX && c->angle_step > 0 &&
-                     c->angle_steps * c->angle_step < 32768 && c->least_percent >= 1 &&
-                     c->least_percent <= 100 && c->least_beams >= 1;
+    const int fits =
+        field->near && field->blocks && c->window_cells >= 1 && c->window_cells <= IRIS_LOCALIZE_WINDOW_MAX &&
+        c->angle_steps >= 0 && c->angle_steps <= IRIS_LOCALIZE_STEPS_MAX && c->angle_step > 0 &&
+        c->angle_steps * c->angle_step < 32768 && c->least_percent >= 1 && c->least_percent <= 100 &&
+        c->least_beams >= 1 && c->predicted_mm >= 0 && c->predicted_angle >= 0;
     return fits && iris_grid_is_laid_out((iris_size){field->w, field->h}, field->cell_mm, field->left_mm,
                                          field->bottom_mm)
                ? IRIS_OK
