@@ -14,6 +14,7 @@ int cmd_info(int argc, char **argv);
 int cmd_follow(int argc, char **argv);
 int cmd_floor(int argc, char **argv);
 int cmd_lock(int argc, char **argv);
+int cmd_map(int argc, char **argv);
 int cmd_pipe(int argc, char **argv);
 int cmd_shape(int argc, char **argv);
 int cmd_stereo(int argc, char **argv);
