@@ -103,7 +103,7 @@ typedef enum {
  * pixels across, 30 of its radii away, tilted by 45 degrees. How steps get shorter from circle to circle tells it,
  * and it is put right.
  *
- * In made pictures they are then off by 0.03 pixels (root mean square) and 0.25 at most, with noise of 10 levels of
+ * In made pictures they are then off by 0.04 pixels (root mean square) and 0.3 at most, with noise of 10 levels of
  * 190 by 0.08 and 0.5; the outermost ones most, to whose far side no circle is. 9x6 in 640x480 takes 183 KB. Errors
  * as above. Up to eight thresholds of the picture, one after another. */
 iris_status iris_board_circles(iris_vec2 *centers, iris_board_report *report, const iris_image *gray,
