@@ -63,6 +63,7 @@ int main(int argc, char **argv)
     score_stereo(&s);
     score_carve(&s);
     score_map(&s);
+    score_carve_photo(&s);
     score_cost(&s);
     score_totals(&s);
     return s.missed > 0;

@@ -57,6 +57,7 @@ void score_motion(score *s);
 void score_stereo(score *s);
 void score_carve(score *s);
 void score_map(score *s);
+void score_carve_photo(score *s);
 void score_cost(score *s);
 
 #endif
