@@ -43,7 +43,7 @@ awk '{ print -$1, $2, $3 }' s11.txt > mirror.txt; head -11 image.txt > i11.txt
 refuses "a mirror" 1 "mirror.txt: only a mirror" scene mirror.txt i11.txt
 refuses "one file" 2 "scene takes two files" scene space.txt
 refuses "no such file" 1 "nowhere.txt: " scene nowhere.txt image.txt
-refuses "no kind" 2 "circus: scene, board, rotation, translation, or motion is to stand behind calibrate" circus
+refuses "no kind" 2 "circus: scene, board, pair, rotation, translation, or motion is to stand behind calibrate" circus
 
 if [ -d "$data/calib/scene3d" ]; then
     works "20 points of a course" scene "$data/calib/scene3d/pts3d-norm.txt" "$data/calib/scene3d/pts2d-norm-pic_a.txt" --json

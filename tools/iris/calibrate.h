@@ -5,6 +5,7 @@
 int calibrate_board(int argc, char **argv);
 int calibrate_motion(int argc, char **argv);
 int calibrate_rotation(int argc, char **argv);
+int calibrate_pair(int argc, char **argv);
 int calibrate_scene(int argc, char **argv);
 int calibrate_translation(int argc, char **argv);
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "args.h"
-#include "board_option.h"
+#include "board_points.h"
 #include "calibrate.h"
 #include "calibrate_json.h"
 #include "complain.h"
@@ -67,60 +67,6 @@ typedef struct {
 typedef struct {
     const char *board, *square, *points, *model, *size, *output;
 } texts;
-
-/* A number and its unit. */
-static int read_square(session *s, iris_q32 *side, const char *text)
-{
-    static const char *const units[] = {"mm", "cm", "m", "in"};
-    char number[32];
-    size_t length = strspn(text, "0123456789.");
-    s->unit = text + length;
-    int known = *s->unit == '\0';
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
-        known |= strcmp(s->unit, units[i]) == 0;
-    }
-    snprintf(number, sizeof number, "%.*s", (int)length, text);
-    if (!known || length >= sizeof number || !number_text_read(side, number) ||
-        *side < IRIS_Q32_ONE / 1000000 || *side > 1000000 * IRIS_Q32_ONE) {
-        complain("--square", "a length such as 25mm, 2.5cm, 0.025m, 1in, or 25, not '%s'", text);
-        return 0;
-    }
-    return 1;
-}
-
-static int read_board(session *s, const texts *given)
-{
-    int32_t sides[2] = {0, 0};
-    iris_q32 side = IRIS_Q32_ONE;
-    s->unit = "";
-    if (!given->board == !given->points) {
-        complain(NULL, "the board is needed once: --board CxR or --points FILE");
-        return EXIT_BAD_CALL;
-    }
-    if (given->points) {
-        number_table table = {&s->board[0].x, NULL, 0, POINTS, 2};
-        int read = number_file_read(&table, given->points);
-        s->points = table.rows;
-        return read ? EXIT_DONE : EXIT_BAD_DATA;
-    }
-    if (given->square && !read_square(s, &side, given->square)) {
-        return EXIT_BAD_CALL;
-    }
-    if (!args_numbers(sides, 2, 'x', given->board) || sides[0] < 2 || sides[1] < 2 || sides[0] > 512 ||
-        sides[1] > POINTS / sides[0]) {
-        complain("--board", "CxR, inner corners in a row and rows, each 2 at least, %d in all, not '%s'",
-                 POINTS, given->board);
-        return EXIT_BAD_CALL;
-    }
-    s->points = sides[0] * sides[1];
-    s->looked_for.grid = (iris_board_grid){sides[0], sides[1]};
-    for (int i = 0; i < s->points; i++) {
-        int32_t at[2];
-        board_option_point(at, &s->looked_for, i);
-        s->board[i] = (iris_vec2){at[0] * side, at[1] * side};
-    }
-    return EXIT_DONE;
-}
 
 static int read_model(uint32_t *model, const char *text)
 {
@@ -461,7 +407,8 @@ static int prepare(session *s, const texts *given, const arguments *args, int co
     if (!corners && given->board && !board_option_read(&s->looked_for, given->board)) {
         return EXIT_BAD_CALL;
     }
-    return read_board(s, given);
+    const board_texts board = {given->board, given->square, given->points};
+    return board_points_read(s->board, &s->points, &s->unit, &s->looked_for, &board);
 }
 
 int calibrate_board(int argc, char **argv)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "args.h"
+#include "calibrate_json.h"
 #include "commands.h"
 #include "complain.h"
 #include "file_write.h"
@@ -11,13 +12,17 @@
 #include "json.h"
 #include "one_line.h"
 #include "picture_write.h"
+#include "rectified_pair.h"
+#include "stereo_space.h"
 #include "system.h"
 
 static const char help[] =
     "usage: iris stereo LEFT RIGHT [--method block|quadtree|semiglobal]\n"
-    "                   [--max-disparity N] [-o DISPARITY] [--preview PICTURE] [--json]\n\n"
+    "                   [--max-disparity N] [-o DISPARITY] [--preview PICTURE] [--json]\n"
+    "                   [--calib PAIR [--depth DEPTH] [--depth-scale N] [--points CLOUD.ply]]\n\n"
     "How far things are, from the rectified pictures of two cameras side by side: by how many pixels\n"
-    "each place of the left picture lies further to the left in the right one. Color becomes gray.\n\n"
+    "each place of the left picture lies further to the left in the right one. Color becomes gray.\n"
+    "With --calib the pictures are rectified first, as iris rectify does it, and distances are real ones.\n\n"
     "  --method block|quadtree|semiglobal\n"
     "                       block: fixed windows of 13x13 pixels; quadtree: windows as large as the\n"
     "                       picture is even, in an eighth of the time; semiglobal (the default):\n"
@@ -26,14 +31,23 @@ static const char help[] =
     "  -o DISPARITY         a PGM of 16 bits: 256 for a pixel, 0 where there is no match; -: to standard\n"
     "                       output, and nothing else\n"
     "  --preview PICTURE    the same in colors, from blue (far) to red (near); black: no match\n"
-    "  --json               one JSON object\n\n"
+    "  --json               one JSON object\n"
+    "  --calib PAIR         the two cameras: a file of iris calibrate pair\n"
+    "  --depth DEPTH        a PGM of 16 bits: how far each place is before the left camera, in the unit of\n"
+    "                       the board that the pair was calibrated with (millimeters by --square 25mm); 0:\n"
+    "                       nobody knows\n"
+    "  --depth-scale N      N to a unit instead of one: 1000 for a board in meters; 1 to 65535\n"
+    "  --points CLOUD.ply   all places as points, in the unit, with gray levels: x right, y down, z forward\n"
+    "                       of the left camera as it stands\n\n"
     "JSON has matched (the share of places that have a disparity), and the mean of these, least, and most\n"
-    "disparities in pixels (null when there is none).\n\n"
-    "example: iris stereo left.pgm right.pgm --max-disparity 63 -o disparity.pgm --preview seen.bmp\n";
+    "disparities in pixels (null when there is none); with --calib also baseline, focal (pixels), u0 and v0\n"
+    "of the rectified pictures, and nearest and farthest, depths in the unit.\n\n"
+    "example: iris stereo left.pgm right.pgm --max-disparity 63 -o disparity.pgm --preview seen.bmp\n"
+    "         iris stereo left.pgm right.pgm --calib rig.pair --depth depth.pgm --points cloud.ply\n";
 
 typedef struct {
-    const char *left, *right, *method, *output, *preview;
-    int32_t max_disparity;
+    const char *left, *right, *method, *output, *preview, *calib, *depth, *points;
+    int32_t max_disparity, depth_scale;
     int json;
 } wishes;
 
@@ -171,8 +185,31 @@ static int show(const char *path, const iris_image *disparity, int32_t most)
     return written;
 }
 
-static void print(const wishes *w, const iris_image *disparity, const summary *s)
+/* What the calibration adds; space null: nothing. */
+static void print_space(json_writer *json, const stereo_space *space)
 {
+    double range[2];
+    int known = space && stereo_depth_range(range, space);
+    static const char *const keys[2] = {"nearest", "farthest"};
+    if (space) {
+        calibrate_number(json, "baseline", space->rectified->baseline);
+        calibrate_number(json, "focal", space->rectified->focal);
+        calibrate_number(json, "u0", space->rectified->views[0].intrinsics.u0);
+        calibrate_number(json, "v0", space->rectified->views[0].intrinsics.v0);
+    }
+    for (int i = 0; i < 2 && space; i++) {
+        json_key(json, keys[i]);
+        if (known) {
+            json_number(json, range[i], 6);
+        } else {
+            json_null(json);
+        }
+    }
+}
+
+static void print(const wishes *w, const iris_image *disparity, const summary *s, const stereo_space *space)
+{
+    double range[2];
     double pixels = (double)disparity->w * disparity->h, count = (double)s->matched;
     if (!w->json) {
         one_line(stdout, w->left);
@@ -180,6 +217,9 @@ static void print(const wishes *w, const iris_image *disparity, const summary *s
         if (s->matched > 0) {
             printf(", disparities %.2f to %.2f, mean %.2f", s->least / 256.0, s->most / 256.0,
                    (double)s->sum / 256 / count);
+        }
+        if (space && stereo_depth_range(range, space)) {
+            printf(", depths %.6g to %.6g", range[0], range[1]);
         }
         putchar('\n');
         return;
@@ -213,6 +253,7 @@ static void print(const wishes *w, const iris_image *disparity, const summary *s
             json_null(&json);
         }
     }
+    print_space(&json, space);
     json_close(&json, '}');
 }
 
@@ -230,22 +271,31 @@ static int read_picture(picture_buffer *picture, const char *path)
     return status == IRIS_OK;
 }
 
-/* Writes and prints what was found. */
-static int tell(const wishes *w, const iris_image *disparity)
+static int is_output(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
+/* Writes and prints what was found. made null: without --calib. */
+static int tell(const wishes *w, const iris_image *disparity, const iris_image *left,
+                const iris_rectified *made)
 {
     summary s = summarize(disparity);
+    const stereo_space space = {made, disparity, left, w->depth_scale};
     if ((w->output && !file_write(w->output, write_disparity, disparity)) ||
-        (w->preview && !show(w->preview, disparity, s.most))) {
+        (w->preview && !show(w->preview, disparity, s.most)) ||
+        (w->depth && !stereo_depth_write(w->depth, &space)) ||
+        (w->points && !stereo_points_write(w->points, &space))) {
         return EXIT_BAD_DATA;
     }
-    if (!w->output || strcmp(w->output, "-") != 0) {
-        print(w, disparity, &s);
+    if (!is_output(w->output) && !is_output(w->depth) && !is_output(w->points)) {
+        print(w, disparity, &s, made ? &space : NULL);
     }
     return EXIT_DONE;
 }
 
 static int match(const wishes *w, const stereo_method *method, const iris_image *left,
-                 const iris_image *right)
+                 const iris_image *right, const iris_rectified *made)
 {
     picture_buffer disparity = {0};
     iris_scratch scratch;
@@ -268,7 +318,7 @@ static int match(const wishes *w, const stereo_method *method, const iris_image 
     free(memory);
     int exit_code = EXIT_BAD_DATA;
     if (status == IRIS_OK) {
-        exit_code = tell(w, &disparity.image);
+        exit_code = tell(w, &disparity.image, left, made);
     } else {
         complain(w->left, "%s", iris_status_text(status));
     }
@@ -278,13 +328,20 @@ static int match(const wishes *w, const stereo_method *method, const iris_image 
 
 static int run(const wishes *w, const stereo_method *method)
 {
-    picture_buffer left = {0}, right = {0};
+    const char *const names[2] = {w->left, w->right};
+    picture_buffer pictures[2];
+    iris_rectified made;
     int exit_code = EXIT_BAD_DATA;
-    if (read_picture(&left, w->left) && read_picture(&right, w->right)) {
-        exit_code = match(w, method, &left.image, &right.image);
+    memset(pictures, 0, sizeof pictures);
+    if (read_picture(&pictures[0], w->left) && read_picture(&pictures[1], w->right)) {
+        exit_code =
+            w->calib ? rectified_pair_make(&made, pictures, names, w->calib, IRIS_RECTIFY_VALID) : EXIT_DONE;
     }
-    picture_free(&left);
-    picture_free(&right);
+    if (exit_code == EXIT_DONE) {
+        exit_code = match(w, method, &pictures[0].image, &pictures[1].image, w->calib ? &made : NULL);
+    }
+    picture_free(&pictures[0]);
+    picture_free(&pictures[1]);
     return exit_code;
 }
 
@@ -300,10 +357,18 @@ static int check_files(const wishes *w)
         complain(w->preview, "expected is .bmp, .ppm, or .pgm");
         return 0;
     }
-    int to_output = w->output && strcmp(w->output, "-") == 0;
-    int to_preview = w->preview && strcmp(w->preview, "-") == 0;
-    if (to_output + to_preview + w->json > 1) {
-        complain(NULL, "one of --json, -o -, and --preview - only");
+    if (w->depth && strcmp(w->depth, "-") != 0 && picture_container_of(w->depth) != CONTAINER_PGM &&
+        picture_container_of(w->depth) != CONTAINER_PNM) {
+        complain(w->depth, "depths have 16 bits, which takes a .pgm");
+        return 0;
+    }
+    if ((w->depth || w->points) && !w->calib) {
+        complain(w->depth ? "--depth" : "--points", "the cameras are needed, too: --calib PAIR");
+        return 0;
+    }
+    if (is_output(w->output) + is_output(w->preview) + is_output(w->depth) + is_output(w->points) + w->json >
+        1) {
+        complain(NULL, "one of --json, -o -, --preview -, --depth -, and --points - only");
         return 0;
     }
     return 1;
@@ -311,19 +376,19 @@ static int check_files(const wishes *w)
 
 int cmd_stereo(int argc, char **argv)
 {
-    wishes w = {.method = "semiglobal", .max_disparity = 63};
-    const char *most = NULL;
-    const args_option options[] = {{"method", 0, NULL, &w.method},
-                                   {"max-disparity", 0, NULL, &most},
-                                   {"output", 'o', NULL, &w.output},
-                                   {"preview", 0, NULL, &w.preview},
-                                   {"json", 0, &w.json, NULL}};
+    wishes w = {.method = "semiglobal", .max_disparity = 63, .depth_scale = 1};
+    const char *most = NULL, *scale = NULL;
+    const args_option options[] = {
+        {"method", 0, NULL, &w.method},   {"max-disparity", 0, NULL, &most}, {"output", 'o', NULL, &w.output},
+        {"preview", 0, NULL, &w.preview}, {"calib", 0, NULL, &w.calib},      {"depth", 0, NULL, &w.depth},
+        {"depth-scale", 0, NULL, &scale}, {"points", 0, NULL, &w.points},    {"json", 0, &w.json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
         return exit_code;
     }
-    const args_whole wholes[] = {{"--max-disparity", most, &w.max_disparity, 1, IRIS_STEREO_DISPARITY_MAX}};
+    const args_whole wholes[] = {{"--max-disparity", most, &w.max_disparity, 1, IRIS_STEREO_DISPARITY_MAX},
+                                 {"--depth-scale", scale, &w.depth_scale, 1, 65535}};
     if (args.operand_count != 2) {
         complain(NULL, "two pictures are expected: LEFT RIGHT (see --help)");
         return EXIT_BAD_CALL;
@@ -331,7 +396,7 @@ int cmd_stereo(int argc, char **argv)
     w.left = args.operands[0];
     w.right = args.operands[1];
     const stereo_method *method = method_of(w.method);
-    if (!method || !args_wholes(wholes, 1) || !check_files(&w)) {
+    if (!method || !args_wholes(wholes, 2) || !check_files(&w)) {
         return EXIT_BAD_CALL;
     }
     return run(&w, method);

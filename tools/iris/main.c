@@ -23,6 +23,7 @@ static const command commands[] = {
     {"shape", cmd_shape, "a taught shape, found moved, turned, scaled, and partly hidden"},
     {"lock", cmd_lock, "a colored object, from frame to frame"},
     {"calibrate", cmd_calibrate, "a camera from points that are known"},
+    {"rectify", cmd_rectify, "pictures of two cameras, turned so that rows correspond"},
     {"stereo", cmd_stereo, "how far things are, from two cameras side by side"},
     {"carve", cmd_carve, "the shape of a thing from its silhouettes"},
     {"map", cmd_map, "a map of the floor from depths, and where the robot is in it"},

@@ -61,6 +61,7 @@ int main(int argc, char **argv)
     score_calib(&s);
     score_motion(&s);
     score_stereo(&s);
+    score_pair(&s);
     score_carve(&s);
     score_map(&s);
     score_carve_photo(&s);

@@ -55,6 +55,7 @@ void score_camera(score *s);
 void score_calib(score *s);
 void score_motion(score *s);
 void score_stereo(score *s);
+void score_pair(score *s);
 void score_carve(score *s);
 void score_map(score *s);
 void score_carve_photo(score *s);

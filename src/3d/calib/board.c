@@ -10,7 +10,7 @@
 #define SHARE    200        /* loose: a standard deviation above that share of a focal length */
 
 /* deviations are 1024 times too small */
-static iris_q32 times(iris_q32 deviation, iris_q32 noise, iris_q32 reach)
+iris_q32 iris_board_deviation(iris_q32 deviation, iris_q32 noise, iris_q32 reach)
 {
     iris_q32 made = iris_wide_round_shift_sat(iris_wide_mul(deviation, noise), 22);
     return reach ? iris_q32_mul_sat(made, reach) : made;
@@ -29,10 +29,27 @@ static iris_wide squares(const iris_board_problem *of, int32_t v)
     return sum;
 }
 
-/* The root of a sum of squares divided by n. */
-static iris_q32 root_mean(iris_wide sum, int64_t n)
+iris_q32 iris_board_root_mean(iris_wide sum, int64_t n)
 {
     return iris_wide_div_sat(iris_wide_mul(iris_wide_sqrt(sum), 65536), iris_sqrt_u64((uint64_t)n << 32));
+}
+
+static int32_t count_of(const iris_board_problem *of, int32_t v)
+{
+    return of->views[v].count;
+}
+
+static iris_board_seen point_of(const iris_board_problem *of, int32_t v, int32_t i)
+{
+    return (iris_board_seen){.at = iris_board_scaled(of, &of->views[v].points[i])};
+}
+
+static int show(iris_vec2 *missing, iris_board_rows *rows, const iris_board_problem *of,
+                const iris_q32 shared[IRIS_BOARD_PARAMETERS], const iris_board_motion *motion,
+                const iris_board_seen *seen)
+{
+    (void)of;
+    return iris_board_show(missing, rows, shared, motion, &seen->at);
 }
 
 /* The camera's place of a motion. */
@@ -106,7 +123,8 @@ static int take_deviations(iris_board_fit *fit, iris_board_problem *of, iris_q32
     int known = d[IRIS_BOARD_ALPHA_U] < s[IRIS_BOARD_ALPHA_U] / 8 &&
                 d[IRIS_BOARD_ALPHA_V] < s[IRIS_BOARD_ALPHA_V] / 8;
     for (int k = 0; k < IRIS_BOARD_PARAMETERS; k++) {
-        fit->deviations[k] = times(d[k], noise, k < IRIS_BOARD_LENS_K1 ? of->frame.image_reach : 0);
+        fit->deviations[k] =
+            iris_board_deviation(d[k], noise, k < IRIS_BOARD_LENS_K1 ? of->frame.image_reach : 0);
     }
     return known;
 }
@@ -121,12 +139,12 @@ static iris_board_flaw take_figures(iris_board_fit *fit, iris_board_place *place
         iris_wide sum = squares(of, v);
         all = iris_wide_add(all, sum);
         n += of->views[v].count;
-        places[v].rms = iris_q32_mul_sat(root_mean(sum, of->views[v].count), reach);
+        places[v].rms = iris_q32_mul_sat(iris_board_root_mean(sum, of->views[v].count), reach);
         places[v].pose = pose_of(of, &of->motions[v]);
     }
-    fit->rms = iris_q32_mul_sat(root_mean(all, n), reach);
+    fit->rms = iris_q32_mul_sat(iris_board_root_mean(all, n), reach);
     int64_t free_equations = 2 * n - of->active_count - IRIS_BOARD_POSE * (int64_t)of->count;
-    iris_q32 noise = root_mean(all, free_equations > 0 ? free_equations : 1);
+    iris_q32 noise = iris_board_root_mean(all, free_equations > 0 ? free_equations : 1);
     if (!take_deviations(fit, of, noise)) {
         return IRIS_BOARD_FACING;
     }
@@ -214,6 +232,7 @@ iris_status iris_board_calibrate(iris_board_fit *fit, iris_board_place *places, 
                                  int32_t count, const iris_board_config *config, iris_scratch *scratch)
 {
     static const iris_board_config plain = {0, {0, 0}};
+    static const iris_board_source source = {count_of, point_of, show};
     if (!fit || !places || !views || !scratch) {
         return IRIS_ERR_ARG;
     }
@@ -223,7 +242,7 @@ iris_status iris_board_calibrate(iris_board_fit *fit, iris_board_place *places, 
         return status;
     }
     size_t mark = iris_scratch_mark(scratch);
-    iris_board_problem of = {.views = views, .count = count};
+    iris_board_problem of = {.source = &source, .views = views, .count = count};
     of.motions = iris_scratch_take(scratch, (size_t)count * sizeof *of.motions);
     of.trial = iris_scratch_take(scratch, (size_t)count * sizeof *of.trial);
     of.view.numbers =

@@ -45,19 +45,19 @@ static void bend(ray *at, const iris_q32 *s)
     at->yy = stretch + 2 * mul(y2, growth) + 6 * mul(p1, y) + 2 * mul(p2, x);
 }
 
-/* The pose's six numbers of a row: by how much a coordinate changes with x and y on the picture plane. */
-static void pose_part(iris_q32 *row, const ray *at, iris_q32 by_x, iris_q32 by_y,
-                      const iris_vec3 arm_depth[2])
+void iris_board_pose_row(iris_q32 row[IRIS_BOARD_POSE], iris_vec3 by, iris_vec3 arm)
 {
-    const iris_vec3 arm = arm_depth[0];
-    const iris_q32 depth = arm_depth[1].z;
-    const iris_vec3 by = {iris_q32_div_sat(by_x, depth), iris_q32_div_sat(by_y, depth),
-                          iris_q32_div_sat(-mul(by_x, at->x) - mul(by_y, at->y), depth)};
     const iris_vec3 turn = iris_vec3_cross(arm, by);
     const iris_q32 made[IRIS_BOARD_POSE] = {turn.x, turn.y, turn.z, by.x, by.y, by.z};
     for (int i = 0; i < IRIS_BOARD_POSE; i++) {
         row[i] = limited(made[i]);
     }
+}
+
+iris_vec3 iris_board_by_place(iris_q32 by_x, iris_q32 by_y, iris_vec2 plane, iris_q32 depth)
+{
+    return (iris_vec3){iris_q32_div_sat(by_x, depth), iris_q32_div_sat(by_y, depth),
+                       iris_q32_div_sat(-mul(by_x, plane.x) - mul(by_y, plane.y), depth)};
 }
 
 /* The lens's five numbers of a row, for a coordinate that is a times the bent x and b times the bent y. */
@@ -80,7 +80,7 @@ int iris_board_show(iris_vec2 *missing, iris_board_rows *rows, const iris_q32 sh
     const iris_vec3 arm = iris_mat3_vector(&motion->turn, (iris_vec3){point->board.x, point->board.y, 0});
     const iris_vec3 from = iris_vec3_add(arm, motion->shift);
     ray at;
-    if (from.z < NEAR) {
+    if (from.z < NEAR || a <= 0 || b <= 0) {
         return 0;
     }
     at.x = iris_q32_div_sat(from.x, from.z);
@@ -92,10 +92,14 @@ int iris_board_show(iris_vec2 *missing, iris_board_rows *rows, const iris_q32 sh
     missing->x = point->image.x - mul(a, at.bent_x) - mul(s, at.bent_y) - shared[IRIS_BOARD_U0];
     missing->y = point->image.y - mul(b, at.bent_y) - shared[IRIS_BOARD_V0];
     if (rows) {
-        const iris_vec3 arm_depth[2] = {arm, from};
+        const iris_vec2 plane = {at.x, at.y};
         *rows = (iris_board_rows){{0}, {0}};
-        pose_part(rows->right, &at, mul(a, at.xx) + mul(s, at.xy), mul(a, at.xy) + mul(s, at.yy), arm_depth);
-        pose_part(rows->down, &at, mul(b, at.xy), mul(b, at.yy), arm_depth);
+        iris_board_pose_row(
+            rows->right,
+            iris_board_by_place(mul(a, at.xx) + mul(s, at.xy), mul(a, at.xy) + mul(s, at.yy), plane, from.z),
+            arm);
+        iris_board_pose_row(rows->down, iris_board_by_place(mul(b, at.xy), mul(b, at.yy), plane, from.z),
+                            arm);
         iris_q32 *right = rows->right + IRIS_BOARD_POSE, *down = rows->down + IRIS_BOARD_POSE;
         right[IRIS_BOARD_ALPHA_U] = at.bent_x;
         right[IRIS_BOARD_SKEW] = at.bent_y;

@@ -36,11 +36,12 @@ static void add_row(iris_board_problem *of, const iris_q32 *all)
 static int take_view(iris_wide *sum, iris_board_problem *of, int32_t v, iris_q32 damping)
 {
     iris_triangle_init(&of->view, of->view.numbers, POSE + of->active_count);
-    for (int32_t i = 0; i < of->views[v].count; i++) {
-        iris_board_point at = iris_board_scaled(of, &of->views[v].points[i]);
+    const int32_t count = of->source->count(of, v);
+    for (int32_t i = 0; i < count; i++) {
+        const iris_board_seen seen = of->source->point(of, v, i);
         iris_board_rows rows;
         iris_vec2 off;
-        if (!iris_board_show(&off, &rows, of->shared, &of->motions[v], &at)) {
+        if (!of->source->show(&off, &rows, of, of->shared, &of->motions[v], &seen)) {
             return 0;
         }
         *sum = iris_wide_add(*sum, iris_wide_add(iris_wide_mul(off.x, off.x), iris_wide_mul(off.y, off.y)));
@@ -122,7 +123,7 @@ static int try_step(iris_q32 shared[IRIS_BOARD_PARAMETERS], iris_board_problem *
             return 0;
         }
     }
-    int good = shared[IRIS_BOARD_ALPHA_U] > 0 && shared[IRIS_BOARD_ALPHA_V] > 0;
+    int good = 1;
     for (int32_t v = 0; v < of->count && good; v++) {
         good = take_view(&sum, of, v, damping) && move_view(of, v, step);
     }
@@ -134,10 +135,11 @@ static int measure(iris_wide *sum, const iris_board_problem *of, const iris_q32 
 {
     *sum = (iris_wide){0, 0};
     for (int32_t v = 0; v < of->count; v++) {
-        for (int32_t i = 0; i < of->views[v].count; i++) {
-            iris_board_point at = iris_board_scaled(of, &of->views[v].points[i]);
+        const int32_t count = of->source->count(of, v);
+        for (int32_t i = 0; i < count; i++) {
+            const iris_board_seen seen = of->source->point(of, v, i);
             iris_vec2 off;
-            if (!iris_board_show(&off, 0, shared, &of->trial[v], &at)) {
+            if (!of->source->show(&off, 0, of, shared, &of->trial[v], &seen)) {
                 return 0;
             }
             *sum =

@@ -69,15 +69,15 @@ static iris_q32 limited(iris_q32 a)
 /* Are a view's places in the picture on one line, or nearly: 1/64 of their spread? */
 static int is_line(const iris_board_problem *of, int32_t v)
 {
-    const int32_t n = of->views[v].count;
+    const int32_t n = of->source->count(of, v);
     iris_q32 x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     for (int32_t i = 0; i < n; i++) {
-        iris_vec2 at = iris_board_scaled(of, &of->views[v].points[i]).image;
+        iris_vec2 at = of->source->point(of, v, i).at.image;
         x += limited(at.x) / n;
         y += limited(at.y) / n;
     }
     for (int32_t i = 0; i < n; i++) {
-        iris_vec2 at = iris_board_scaled(of, &of->views[v].points[i]).image;
+        iris_vec2 at = of->source->point(of, v, i).at.image;
         at = (iris_vec2){limited(at.x) - x, limited(at.y) - y};
         xx += iris_q32_mul_sat(at.x, at.x) / n;
         xy += iris_q32_mul_sat(at.x, at.y) / n;
@@ -104,9 +104,10 @@ static int homography(iris_q32 h[NUMBERS], const iris_board_problem *of, int32_t
 {
     iris_q32 second[NUMBERS];
     iris_triangle triangle;
+    const int32_t count = of->source->count(of, v);
     iris_triangle_init(&triangle, of->view.numbers, NUMBERS);
-    for (int32_t i = 0; i < of->views[v].count; i++) {
-        iris_board_point at = iris_board_scaled(of, &of->views[v].points[i]);
+    for (int32_t i = 0; i < count; i++) {
+        const iris_board_point at = of->source->point(of, v, i).at;
         add_equation(&triangle, &at, 0, at.image.x);
         add_equation(&triangle, &at, 3, at.image.y);
     }
@@ -196,6 +197,25 @@ static int motion_of(iris_board_motion *motion, const iris_board_problem *of, co
     return iris_rotation_tidy(&motion->turn) == IRIS_OK;
 }
 
+iris_board_flaw iris_board_poses(iris_board_problem *of, int32_t *flawed)
+{
+    for (int32_t v = 0; v < of->count; v++) {
+        iris_q32 h[NUMBERS];
+        iris_vec2 missing;
+        int single = !is_line(of, v) && homography(h, of, v),
+            seen = single && motion_of(&of->motions[v], of, h);
+        for (int32_t i = 0; i < of->source->count(of, v) && seen; i++) {
+            const iris_board_seen point = of->source->point(of, v, i);
+            seen = of->source->show(&missing, 0, of, of->shared, &of->motions[v], &point);
+        }
+        if (!seen) {
+            *flawed = v;
+            return single ? IRIS_BOARD_BEHIND : IRIS_BOARD_IN_LINE;
+        }
+    }
+    return IRIS_BOARD_FINE;
+}
+
 iris_board_flaw iris_board_start(iris_board_problem *of, int32_t *flawed, iris_size size)
 {
     frame_of(of, size);
@@ -203,18 +223,5 @@ iris_board_flaw iris_board_start(iris_board_problem *of, int32_t *flawed, iris_s
         of->shared[i] = 0;
     }
     iris_board_flaw flaw = focal_lengths(of, flawed);
-    for (int32_t v = 0; v < of->count && flaw == IRIS_BOARD_FINE; v++) {
-        iris_q32 h[NUMBERS];
-        iris_vec2 missing;
-        int seen = homography(h, of, v) && motion_of(&of->motions[v], of, h);
-        for (int32_t i = 0; i < of->views[v].count && seen; i++) {
-            iris_board_point at = iris_board_scaled(of, &of->views[v].points[i]);
-            seen = iris_board_show(&missing, 0, of->shared, &of->motions[v], &at);
-        }
-        if (!seen) {
-            *flawed = v;
-            flaw = IRIS_BOARD_BEHIND;
-        }
-    }
-    return flaw;
+    return flaw == IRIS_BOARD_FINE ? iris_board_poses(of, flawed) : flaw;
 }

@@ -1,13 +1,10 @@
 /* A camera's calibration as text: see camera_text.h for the format. */
-#include "iris/3d/camera_text.h"
-
 #include <string.h>
 
-#include "../../foundation/text_lines.h"
+#include "camera_lines.h"
 
-#define NUMBERS   12
-#define LINES     8 /* between the first one and the check */
-#define LENS_LINE 4 /* of these, from 0 */
+#define NUMBERS   IRIS_CAMERA_NUMBERS
+#define LENS_LINE 4 /* of the lines, from 0 */
 #define LIMIT     (1000000000 * IRIS_Q32_ONE)
 
 /* The lines of numbers behind the size, and how many each has. */
@@ -16,82 +13,71 @@ static const struct {
     int count;
 } rows[] = {{"focal", 2}, {"skew", 1}, {"center", 2}, {"radial", 3}, {"tangential", 2}, {"decentering", 2}};
 
-static void numbers_of(iris_q32 numbers[NUMBERS], const iris_camera_model *model)
+static int is_sound(const iris_camera_content *c)
+{
+    int sound = c->w >= 1 && c->w <= IRIS_SIDE_MAX && c->h >= 1 && c->h <= IRIS_SIDE_MAX;
+    for (int i = 0; i < NUMBERS; i++) {
+        sound &= c->numbers[i] < LIMIT && c->numbers[i] > -LIMIT;
+    }
+    return sound && c->numbers[0] > 0 && c->numbers[1] > 0;
+}
+
+int iris_camera_content_of(iris_camera_content *content, const iris_camera_model *model)
 {
     const iris_intrinsics *k = &model->intrinsics;
     const iris_lens *l = &model->lens;
-    const iris_q32 all[NUMBERS] = {k->alpha_u, k->alpha_v, k->shear, k->u0, k->v0,       l->k1,
-                                   l->k2,      l->k3,      l->p1,    l->p2, l->center.x, l->center.y};
-    memcpy(numbers, all, sizeof all);
+    *content = (iris_camera_content){model->size.w,
+                                     model->size.h,
+                                     l->direction == IRIS_LENS_CORRECTS,
+                                     {k->alpha_u, k->alpha_v, k->shear, k->u0, k->v0, l->k1, l->k2, l->k3,
+                                      l->p1, l->p2, l->center.x, l->center.y},
+                                     NUMBERS};
+    return is_sound(content) && (l->direction == IRIS_LENS_CORRECTS || l->direction == IRIS_LENS_BENDS);
 }
 
-static iris_camera_model model_of(const iris_q32 n[NUMBERS], iris_size size, int direction)
+int iris_camera_content_model(iris_camera_model *model, const iris_camera_content *content)
 {
-    iris_camera_model made = {
-        size,
-        {n[0], n[1], n[2], n[3], n[4]},
-        {n[5], n[6], n[7], n[8], n[9], {n[10], n[11]}, direction ? IRIS_LENS_CORRECTS : IRIS_LENS_BENDS}};
-    return made;
+    const iris_q32 *n = content->numbers;
+    *model = (iris_camera_model){{(int32_t)content->w, (int32_t)content->h},
+                                 {n[0], n[1], n[2], n[3], n[4]},
+                                 {n[5],
+                                  n[6],
+                                  n[7],
+                                  n[8],
+                                  n[9],
+                                  {n[10], n[11]},
+                                  content->corrects ? IRIS_LENS_CORRECTS : IRIS_LENS_BENDS}};
+    return is_sound(content);
 }
 
-static int is_sound(const iris_camera_model *model, const iris_q32 numbers[NUMBERS])
+uint32_t iris_camera_content_check(uint32_t check, const iris_camera_content *content)
 {
-    const iris_size size = model->size;
-    int sound = size.w >= 1 && size.w <= IRIS_SIDE_MAX && size.h >= 1 && size.h <= IRIS_SIDE_MAX;
-    for (int i = 0; i < NUMBERS; i++) {
-        sound &= numbers[i] < LIMIT && numbers[i] > -LIMIT;
-    }
-    return sound && numbers[0] > 0 && numbers[1] > 0 &&
-           (model->lens.direction == IRIS_LENS_BENDS || model->lens.direction == IRIS_LENS_CORRECTS);
+    const int64_t others[3] = {content->w, content->h,
+                               content->corrects ? IRIS_LENS_CORRECTS : IRIS_LENS_BENDS};
+    return iris_text_check(iris_text_check(check, others, 3), content->numbers, NUMBERS);
 }
 
-static uint32_t check_of(const iris_camera_model *model, const iris_q32 numbers[NUMBERS])
+char *iris_camera_put_lines(char *at, const iris_camera_content *content)
 {
-    const int64_t others[3] = {model->size.w, model->size.h, model->lens.direction};
-    return iris_text_check(iris_text_check(IRIS_TEXT_CHECK, others, 3), numbers, NUMBERS);
-}
-
-iris_status iris_camera_write_text(char *text, size_t capacity, size_t *length,
-                                   const iris_camera_model *model)
-{
-    char made[IRIS_CAMERA_TEXT_BYTES], *at = made;
-    iris_q32 numbers[NUMBERS];
     int next = 0;
-    if (!text || !length || !model) {
-        return IRIS_ERR_ARG;
-    }
-    numbers_of(numbers, model);
-    if (!is_sound(model, numbers)) {
-        return IRIS_ERR_RANGE;
-    }
-    at = iris_text_put_word(at, "iris camera 1\nsize ");
-    at = iris_text_put_number(at, model->size.w, ' ');
-    at = iris_text_put_number(at, model->size.h, '\n');
+    at = iris_text_put_word(at, "size ");
+    at = iris_text_put_number(at, content->w, ' ');
+    at = iris_text_put_number(at, content->h, '\n');
     for (int i = 0; i < 6; i++) {
         if (i == LENS_LINE - 1) {
-            at = iris_text_put_word(at, model->lens.direction == IRIS_LENS_BENDS ? "lens bends\n"
-                                                                                 : "lens corrects\n");
+            at = iris_text_put_word(at, content->corrects ? "lens corrects\n" : "lens bends\n");
         }
         at = iris_text_put_word(at, rows[i].word);
         *at++ = ' ';
         for (int k = 0; k < rows[i].count; k++) {
-            at = iris_text_put_q32(at, numbers[next++], k == rows[i].count - 1 ? '\n' : ' ');
+            at = iris_text_put_q32(at, content->numbers[next++], k == rows[i].count - 1 ? '\n' : ' ');
         }
     }
-    const iris_text_made whole = {made, at, check_of(model, numbers)};
-    return iris_text_finish(text, capacity, length, &whole);
+    return at;
 }
 
-typedef struct {
-    int64_t w, h;
-    int corrects;
-    iris_q32 numbers[NUMBERS];
-    int count;
-} content;
-
-static int take_line(void *user, iris_text_lines *r, int i)
+int iris_camera_take_line(iris_camera_content *c, iris_text_lines *r, int i)
 {
-    content *c = user;
     if (i == 0) {
         return iris_text_take_word(r, "size") && iris_text_take_number(&c->w, r) &&
                iris_text_take_number(&c->h, r) && c->w > 0 && c->w <= IRIS_SIDE_MAX && c->h > 0 &&
@@ -111,17 +97,39 @@ static int take_line(void *user, iris_text_lines *r, int i)
     return good;
 }
 
+iris_status iris_camera_write_text(char *text, size_t capacity, size_t *length,
+                                   const iris_camera_model *model)
+{
+    char made[IRIS_CAMERA_TEXT_BYTES];
+    iris_camera_content c;
+    if (!text || !length || !model) {
+        return IRIS_ERR_ARG;
+    }
+    if (!iris_camera_content_of(&c, model)) {
+        return IRIS_ERR_RANGE;
+    }
+    char *at = iris_camera_put_lines(iris_text_put_word(made, "iris camera 1\n"), &c);
+    const iris_text_made whole = {made, at, iris_camera_content_check(IRIS_TEXT_CHECK, &c)};
+    return iris_text_finish(text, capacity, length, &whole);
+}
+
+static int take_line(void *user, iris_text_lines *r, int i)
+{
+    return iris_camera_take_line(user, r, i);
+}
+
 iris_status iris_camera_read_text(iris_camera_model *model, int32_t *line, const char *text, size_t bytes)
 {
-    static const iris_text_form form = {"camera", LINES, take_line};
+    static const iris_text_form form = {"camera", IRIS_CAMERA_LINES, take_line};
+    iris_camera_model made;
     if (!model || !line || (!text && bytes > 0)) {
         return IRIS_ERR_ARG;
     }
-    content c = {.w = 0};
+    iris_camera_content c = {.w = 0};
     iris_text_source source = {.text = text, .bytes = bytes};
     iris_status status = iris_text_read(&c, &source, &form);
-    const iris_camera_model made = model_of(c.numbers, (iris_size){(int32_t)c.w, (int32_t)c.h}, c.corrects);
-    if (status == IRIS_OK && (source.check != check_of(&made, c.numbers) || !is_sound(&made, c.numbers))) {
+    if (status == IRIS_OK && (source.check != iris_camera_content_check(IRIS_TEXT_CHECK, &c) ||
+                              !iris_camera_content_model(&made, &c))) {
         status = IRIS_ERR_DATA;
     }
     if (status == IRIS_OK) {
