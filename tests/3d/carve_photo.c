@@ -15,6 +15,7 @@ enum { N = 24, W = 84, H = 64, VIEWS = 13, ROOM = N * N * 8 };
 #define BLOCK 0.5  /* of the solid block */
 #define PIT   0.38 /* radius of the hollow in its upper side, z = -BLOCK */
 #define FOCAL 110.0
+#define PI    3.14159265358979323846
 
 typedef enum { PITTED_BLOCK, BALL } solid;
 
@@ -108,8 +109,7 @@ static void look_from(iris_q32 m[12], double turn[9], const double from[3])
 /* Twelve cameras around in two rings, and one above. */
 static void place_of_camera(double from[3], int view)
 {
-    const double rise = (view < 6 ? 25 : 55) * M_PI / 180,
-                 turn = (view % 6 + 0.31 + view / 6 * 0.4) * M_PI / 3;
+    const double rise = (view < 6 ? 25 : 55) * PI / 180, turn = (view % 6 + 0.31 + view / 6 * 0.4) * PI / 3;
     from[0] = view == 12 ? 0.2 : 2.2 * cos(rise) * cos(turn);
     from[1] = view == 12 ? 0.1 : 2.2 * cos(rise) * sin(turn);
     from[2] = view == 12 ? -2.2 : -2.2 * sin(rise);

@@ -78,8 +78,8 @@ static int meet(double hit[3], const double from[3], const double ray[3])
 static void look(iris_carve_photo *photo, double turn[9], double from[3], int view)
 {
     static const double rises[3] = {-30, 25, 60};
-    const double rise = rises[view / 8] * M_PI / 180,
-                 around = (view % 8 + 0.31 + 0.4 * (view / 8)) * M_PI / 4;
+    const double rise = rises[view / 8] * 3.14159265358979323846 / 180,
+                 around = (view % 8 + 0.31 + 0.4 * (view / 8)) * 3.14159265358979323846 / 4;
     const double level = cos(rise);
     iris_sensor camera = {.intrinsics = {q32(FOCAL), q32(FOCAL), 0, q32(W / 2 - 0.4), q32(H / 2 - 0.3)}};
     const double f[3] = {-level * cos(around), -level * sin(around), sin(rise)};
