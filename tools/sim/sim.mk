@@ -9,6 +9,9 @@ $(OUT)/iris-demo: $(SIM_OBJ) $(LIB)
 demo: $(OUT)/iris-demo ## drives a simulated robot around a track by its camera alone
 	$< --out $(BUILD)/demo
 
+walls: $(OUT)/iris-demo ## drives it around a walled course: maps it by disparities, and finds the robot in the map (a picture)
+	$< --walls --out $(BUILD)/walls
+
 # The course's frames, as they are and enlarged, play as a camera.
 LATENCY_RATES ?= 30 100
 latency: all $(OUT)/iris-demo ## time from a frame until its command, by percentiles: rendered frames as a camera, LATENCY_RATES="30 100"
@@ -23,6 +26,6 @@ course: all $(OUT)/iris-demo
 	@$(OUT)/iris-demo --frames $(BUILD)/course/small --count 7
 	@mkdir -p $(BUILD)/course/large
 	@$(TOOL) convert --resize 640x480 $(BUILD)/course/small -o $(BUILD)/course/large
-.PHONY: demo latency course
+.PHONY: demo walls latency course
 
 verify-scripts: $(OUT)/iris-demo
