@@ -248,6 +248,34 @@ static void what_is_in_the_way(void **state)
     }
 }
 
+/* A post from 150 to 350 mm to the right, 1000 ahead, seen by a camera that looks down: as wide as it is. */
+static void a_post_where_it_is(void **state)
+{
+    (void)state;
+    for (int degrees = -20; degrees <= 20; degrees += 20) {
+        const iris_depth_camera c = camera_of(IRIS_DEPTH_MM, degrees);
+        const scene none = {0, 1, 0}, post = {1000, 0, 5000};
+        double least = 1e9, most = -1e9;
+        const iris_image image = draw(&c, &none, 0);
+        for (int v = 0; v < H; v++) {
+            for (int u = 0; u < W; u++) {
+                const double z = depth_at(&c, &post, u, v), right = z * (u - real(c.u0_q16)) / 70;
+                if (right >= 150 && right <= 350) {
+                    depths[v * W + u] = (uint16_t)floor(z + 0.5);
+                }
+            }
+        }
+        const int32_t count = scan(&image, &c);
+        for (int k = 0; k < count; k++) {
+            if (beams[k].hit && abs(beams[k].x_mm - 1000) < 10) {
+                least = fmin(least, -beams[k].y_mm);
+                most = fmax(most, -beams[k].y_mm);
+            }
+        }
+        assert_true(fabs(least - 150) < 15 && fabs(most - 350) < 15); /* a column is 14 mm */
+    }
+}
+
 static void parts_of_pictures(void **state)
 {
     (void)state;
@@ -322,7 +350,8 @@ int main(void)
         cmocka_unit_test(ranges_become_beams), cmocka_unit_test(no_return),
         cmocka_unit_test(bad_range_sensors),   cmocka_unit_test(a_wall_ahead),
         cmocka_unit_test(noise_averages_out),  cmocka_unit_test(what_is_in_the_way),
-        cmocka_unit_test(parts_of_pictures),   cmocka_unit_test(any_cameras),
+        cmocka_unit_test(a_post_where_it_is),  cmocka_unit_test(parts_of_pictures),
+        cmocka_unit_test(any_cameras),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
