@@ -447,6 +447,12 @@ void iris_row_extremes_u8_c(uint8_t extremes[2], const uint8_t *src, int32_t n);
 #define iris_row_extremes_u8 iris_row_extremes_u8_c
 #endif
 
+/* The same along a way with bends, which has a place behind the last pixel, too. */
+void iris_row_bends_u8_c(uint8_t *dst, const iris_row_bends *way, int32_t n);
+#ifndef iris_row_bends_u8
+#define iris_row_bends_u8 iris_row_bends_u8_c
+#endif
+
 /* dst[i] = src[n - 1 - i]. dst may be src. */
 void iris_row_reverse_u8_c(uint8_t *dst, const uint8_t *src, int32_t n);
 #ifndef iris_row_reverse_u8

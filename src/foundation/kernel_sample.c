@@ -58,6 +58,21 @@ void iris_row_along_u8_c(uint8_t *dst, const iris_row_way *way, int32_t n)
     }
 }
 
+void iris_row_bends_u8_c(uint8_t *dst, const iris_row_bends *way, int32_t n)
+{
+    const int bits = way->bits;
+    const int32_t *at = way->places;
+    for (int32_t i = 0; i < n; i += 1 << bits, at += 2) {
+        const iris_row_way straight = {way->src,
+                                       way->stride,
+                                       at[0],
+                                       at[1],
+                                       iris_row_bends_step(at[0], at[2], bits),
+                                       iris_row_bends_step(at[1], at[3], bits)};
+        iris_row_along_u8_c(dst + i, &straight, n - i < 1 << bits ? n - i : 1 << bits);
+    }
+}
+
 static inline uint64_t reversed_bytes(uint64_t word)
 {
     word = (word >> 8 & 0x00FF00FF00FF00FFu) | (word & 0x00FF00FF00FF00FFu) << 8;

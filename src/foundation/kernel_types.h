@@ -90,6 +90,22 @@ typedef struct {
     int32_t x, y, dx, dy;
 } iris_row_way;
 
+/* A way over a picture with a bend every 2^bits pixels: there it is at these places, with 16 fraction bits of which the
+ * last four are 0; between two of them pixels are equally far from each other. */
+typedef struct {
+    const uint8_t *src; /* pixel (0, 0) */
+    ptrdiff_t stride;
+    int32_t w;             /* pixels of a row of src */
+    int bits;              /* 0 to 4 */
+    const int32_t *places; /* x, y, x, y, and so on */
+} iris_row_bends;
+
+/* How far: (to - from) / 2^bits, rounded to 4096ths. */
+static inline int32_t iris_row_bends_step(int32_t from, int32_t to, int bits)
+{
+    return ((((to - from) >> 4) + ((1 << bits) >> 1)) >> bits) * 16;
+}
+
 /* Two rows of a stereo pair that are compared: planes 0 to 2 are census bits, 3 gray levels. The right row goes from right
  * to left: right[k][d - x] is what left[k][x] is compared with at disparity d. Both are null in planes that are not
  * looked at. */

@@ -126,6 +126,51 @@ static void run_along(int plain, uint8_t **rows, int32_t n)
     BODY(plain, iris_row_along_u8)(rows[0], &way, n);
 }
 
+/* ---- along a way with bends ---- */
+
+/* A wide picture, for vectors of 16 bytes; places that hardly move from one to the next, or go anywhere. */
+static int32_t bend_bits, bend_far;
+static uint32_t bend_seed;
+
+static void choose_bends(void)
+{
+    static const int32_t far[] = {0, 3000, 70000, 600000, 10000000};
+    choose_way();
+    bend_bits = (int32_t)random_below(5);
+    bend_far = far[random_below(5)];
+    bend_seed = random_below(UINT32_MAX);
+}
+
+static int32_t beside(int32_t place, int32_t side, uint32_t *seed)
+{
+    int32_t last =
+        (side - 1) * 65536 - 128; /* steps are rounded: a place may be that far beyond the next one */
+    *seed = *seed * 1664525u + 1013904223u;
+    int64_t next = place + ((int64_t)*seed * (2 * bend_far + 1) >> 32) - bend_far;
+    return (int32_t)(next < 128 ? 128 : next > last ? last : next) / 16 * 16;
+}
+
+/* To the right by a pixel each, with bends, and back to the left end when the right one is reached. */
+static void run_bends(int plain, uint8_t **rows, int32_t n)
+{
+    static int32_t places[2 * 1026];
+    iris_row_bends way = {rows[1], WAY_STRIDE, WAY_W, bend_bits, places};
+    uint32_t seed = bend_seed;
+    int32_t x = beside(way_ends[0][0], WAY_W, &seed), y = beside(way_ends[0][1], WAY_H, &seed);
+    for (int32_t k = 0; k == 0 || (k - 1) << bend_bits < n; k++) {
+        places[2 * k] = x;
+        places[2 * k + 1] = y;
+        x += 65536 << bend_bits;
+        x = beside(x < (WAY_W - 1) * 65536 ? x : 0, WAY_W, &seed);
+        y = beside(y, WAY_H, &seed);
+    }
+    if (way_is_up) {
+        way.src += WAY_STRIDE * (WAY_H - 1);
+        way.stride = -WAY_STRIDE;
+    }
+    BODY(plain, iris_row_bends_u8)(rows[0], &way, n);
+}
+
 static const kernel_case cases[] = {
     {KERNEL(iris_row_halve2_u8), run_halve2, NULL, {ROW_U8, ROW(1, 2, 1, fill_u8), ROW(1, 2, 1, fill_u8)}},
     {KERNEL(iris_row_between_u8),
@@ -141,6 +186,7 @@ static const kernel_case cases[] = {
     {KERNEL(iris_row_reverse_u8), run_reverse_in_place, NULL, {ROW_U8}},
     {KERNEL(iris_row_every_third_u8), run_every_third, choose_third, {ROW_U8, ROW_888}},
     {KERNEL(iris_row_along_u8), run_along, choose_way, {ROW_U8, TABLE(WAY_BYTES, 1, fill_u8)}},
+    {KERNEL(iris_row_bends_u8), run_bends, choose_bends, {ROW_U8, TABLE(WAY_BYTES, 1, fill_u8)}},
 };
 
 /* ---- truths ---- */
@@ -235,6 +281,32 @@ static void truth_of_along(void **state)
     }
 }
 
+/* The same plane; down first, and back up. */
+static void truth_of_bends(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        static uint8_t src[32 * 30];
+        static const int32_t places[16] = {0, 0,        4 << 16, 2 << 16,  8 << 16, 0, 12 << 16, 0, 16 << 16,
+                                           0, 20 << 16, 0,       20 << 16, 8 << 16, 0, 8 << 16};
+        uint8_t dst[N];
+        const iris_row_bends way = {src, 32, 32, 3, places};
+        for (int i = 0; i < 32 * 30; i++) {
+            src[i] = (uint8_t)(3 * (i % 32) + 2 * (i / 32));
+        }
+        BODY(plain, iris_row_bends_u8)(dst, &way, N);
+        for (int i = 0; i < N; i++) {
+            int from = i / 8, part = i % 8, at[2];
+            for (int k = 0; k < 2; k++) {
+                at[k] = (places[2 * from + k] * (8 - part) + places[2 * from + 2 + k] * part) >>
+                        17; /* quarters */
+            }
+            assert_int_equal(dst[i], (3 * at[0] + 2 * at[1] + 2) / 4);
+        }
+    }
+}
+
 static void truth_of_order(void **state)
 {
     (void)state;
@@ -263,7 +335,7 @@ static int truths(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_halve2),  cmocka_unit_test(truth_of_between),
         cmocka_unit_test(truth_of_columns), cmocka_unit_test(truth_of_order),
-        cmocka_unit_test(truth_of_along),
+        cmocka_unit_test(truth_of_along),   cmocka_unit_test(truth_of_bends),
     };
     return cmocka_run_group_tests_name("kernels of samples", tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@
 #undef IRIS_PORT_NAME
 #define IRIS_PORT_NAME "avx2"
 #undef IRIS_PORT_OVERRIDES
-#define IRIS_PORT_OVERRIDES 51
+#define IRIS_PORT_OVERRIDES 52
 
 void iris_row_luma_rgb888_avx2(uint8_t *dst, const uint8_t *src, int32_t n);
 #undef iris_row_luma_rgb888
@@ -95,6 +95,9 @@ void iris_row_columns16_u8_avx2(uint8_t *dst, ptrdiff_t stride, const uint8_t *c
 void iris_row_tone_u8_avx2(uint8_t *dst, const uint8_t *src, const uint8_t level[256], int32_t n);
 #undef iris_row_tone_u8
 #define iris_row_tone_u8 iris_row_tone_u8_avx2
+
+void iris_row_bends_u8_avx2(uint8_t *dst, const iris_row_bends *way, int32_t n);
+#define iris_row_bends_u8 iris_row_bends_u8_avx2
 
 void iris_row_along_u8_avx2(uint8_t *dst, const iris_row_way *way, int32_t n);
 #define iris_row_along_u8 iris_row_along_u8_avx2

@@ -176,8 +176,8 @@ void iris_row_slide_costs_u16_sse(uint16_t *sums, const iris_row_pair *enter, co
 INLINE void roll_vectors(uint16_t *sums, const uint16_t *enter, const uint16_t *leave, int32_t steps,
                          int32_t n, int count)
 {
-    lanes sum[4];
-    for (int k = 0; k < count; k++) {
+    lanes sum[4] = {V(set1_epi8)(0)};
+    for (int k = 0; k < count && n > 0; k++) {
         sum[k] = load_lanes(sums - steps + k * HALVES);
     }
     for (int32_t x = 0; x < n; x++, sums += steps, enter += steps, leave += steps) {

@@ -1,10 +1,9 @@
 #include "iris/3d/remap.h"
 
+#include "../../foundation/kernel.h"
 #include "../../xt/floor/runs.h"
 
-#define JOIN_BITS 3    /* 2^JOIN_BITS steps are a run at most */
-#define BENT      1024 /* 1/64 of a pixel: so far off is a run at its quarters at most */
-#define FAR_Q32   ((iris_q32)32600 << 32)
+#define FAR_Q32 ((iris_q32)32600 << 32)
 
 void iris_remap_view_defaults(iris_remap_view *view, const iris_intrinsics *intrinsics, iris_size size)
 {
@@ -78,72 +77,108 @@ static int64_t divided(int64_t value, int bits)
     return iris_round_shift(value * 2, bits + 1);
 }
 
-static iris_place place_in(const map_row *row, int32_t column)
+/* a + part of the way to b, to a 4096th. */
+static inline iris_q16 on_the_way(iris_q16 a, iris_q16 b, const map_row *row)
+{
+    int64_t more = (((int64_t)b - a) * row->part + ((int64_t)8 << row->step_bits)) >> row->step_bits;
+    return (iris_q16)((a + more) >> 4) * 16;
+}
+
+static inline iris_place place_in(const map_row *row, int32_t column)
 {
     iris_place a = row->above[column], b = row->below[column];
+    if (row->part == 0) {
+        b = a;
+    }
     if (a.x_q16 == INT32_MIN || b.x_q16 == INT32_MIN) {
-        return row->part == 0 ? a : nowhere;
+        return nowhere;
     }
-    int64_t right = (int64_t)b.x_q16 - a.x_q16, down = (int64_t)b.y_q16 - a.y_q16;
-    return (iris_place){(iris_q16)(a.x_q16 + divided(right * row->part, row->step_bits)),
-                        (iris_q16)(a.y_q16 + divided(down * row->part, row->step_bits))};
+    return (iris_place){on_the_way(a.x_q16, b.x_q16, row), on_the_way(a.y_q16, b.y_q16, row)};
 }
 
-/* Is the place, quarters of the way from a to b, off the line between them? */
-static int is_off(int32_t a, int32_t b, int32_t place, int quarters)
+/* Places of a piece of a row: of so many steps of the map, and the one behind. */
+#define PIECE 16
+
+typedef struct {
+    iris_place at[PIECE + 1];
+    int32_t count; /* steps */
+    int step_bits;
+} row_piece;
+
+static int exists(iris_place place)
 {
-    int64_t four_times = (int64_t)a * (4 - quarters) + (int64_t)b * quarters - 4 * (int64_t)place;
-    return four_times > 4 * BENT || four_times < -4 * BENT;
+    return place.x_q16 != INT32_MIN;
 }
 
-/* May the 2^bits steps from the column be one run, that is straight? The middle alone would not see an S. */
-static int may_join(const map_row *row, int32_t column, int bits, int32_t last)
+/* As iris_row_bends_step, of any numbers. */
+static iris_q16 step_to(iris_q16 from, iris_q16 to, int bits)
 {
-    if (column + (1 << bits) > last) {
-        return 0;
-    }
-    iris_place a = place_in(row, column), b = place_in(row, column + (1 << bits));
-    int good = a.x_q16 != INT32_MIN && b.x_q16 != INT32_MIN;
-    for (int quarters = bits > 1 ? 1 : 2; quarters < 4 && good; quarters += bits > 1 ? 1 : 2) {
-        iris_place place = place_in(row, column + ((quarters << bits) >> 2));
-        good = place.x_q16 != INT32_MIN && !is_off(a.x_q16, b.x_q16, place.x_q16, quarters) &&
-               !is_off(a.y_q16, b.y_q16, place.y_q16, quarters);
-    }
-    return good;
+    return (iris_q16)(divided(((int64_t)to - from) >> 4, bits) * 16);
 }
 
-static iris_run run_at(const map_row *row, int32_t column, int bits)
+/* A step of the map, as far as there are n pixels. */
+static void draw_step(uint8_t *to, const row_piece *p, int32_t step, const iris_image *src,
+                      const iris_remap *remap, int32_t n)
 {
-    iris_place a = place_in(row, column), b = place_in(row, column + (1 << bits));
-    iris_run made = {.n = 1 << (bits + row->step_bits),
-                     .exists = a.x_q16 != INT32_MIN && b.x_q16 != INT32_MIN,
-                     .x = a.x_q16,
-                     .y = a.y_q16};
-    if (made.exists) {
-        made.dx = (iris_q16)divided((int64_t)b.x_q16 - a.x_q16, bits + row->step_bits);
-        made.dy = (iris_q16)divided((int64_t)b.y_q16 - a.y_q16, bits + row->step_bits);
+    iris_place a = p->at[step], b = p->at[step + 1];
+    iris_run run = {.n = n < 1 << p->step_bits ? n : 1 << p->step_bits,
+                    .exists = exists(a) && exists(b),
+                    .x = a.x_q16,
+                    .y = a.y_q16};
+    if (run.exists) {
+        run.dx = step_to(a.x_q16, b.x_q16, p->step_bits);
+        run.dy = step_to(a.y_q16, b.y_q16, p->step_bits);
     }
-    return made;
+    iris_run_draw(to, &run, src, src->format == IRIS_GRAY8 ? 1 : 3, remap->fill);
+}
+
+/* How many steps from this one on are inside of the picture with all their neighbors. */
+static int32_t steps_inside(const row_piece *p, int32_t first, const iris_image *src)
+{
+    int32_t step = first;
+    while (step <= p->count && exists(p->at[step]) && iris_run_is_inside(p->at[step], src)) {
+        step++;
+    }
+    return step - first - 1;
+}
+
+/* Of n pixels. */
+static void draw_piece(uint8_t *to, const row_piece *p, const iris_image *src, const iris_remap *remap,
+                       int32_t n)
+{
+    const int channels = src->format == IRIS_GRAY8 ? 1 : 3, bits = p->step_bits;
+    for (int32_t step = 0; step < p->count;) {
+        int32_t drawn = channels == 1 ? steps_inside(p, step, src) : 0, left = n - (step << bits);
+        if (drawn > 0) {
+            int32_t places[2 * PIECE + 2];
+            for (int32_t k = 0; k <= drawn; k++) {
+                places[2 * k] = p->at[step + k].x_q16 + 128;
+                places[2 * k + 1] = p->at[step + k].y_q16 + 128;
+            }
+            const iris_row_bends way = {src->data, src->stride, src->w, bits, places};
+            iris_row_bends_u8(to + (step << bits), &way, drawn << bits < left ? drawn << bits : left);
+        } else {
+            drawn = 1;
+            draw_step(to + (step << bits) * channels, p, step, src, remap, left);
+        }
+        step += drawn;
+    }
 }
 
 static void draw_row(uint8_t *to, const void *user, const iris_image *src, int32_t y)
 {
     const iris_remap *remap = user;
-    const int channels = src->format == IRIS_GRAY8 ? 1 : 3;
-    const int step_bits = remap->step_bits;
-    const int32_t columns = places_of(remap->size.w, step_bits), w = remap->size.w;
-    const iris_place *above = remap->places + (size_t)(y >> step_bits) * (size_t)columns;
-    const map_row row = {above, above + columns, y & ((1 << step_bits) - 1), step_bits};
-    int bits = JOIN_BITS;
-    for (int32_t column = 0, x = 0; x < w; column += 1 << bits, bits += bits < JOIN_BITS) {
-        while (bits > 0 && !may_join(&row, column, bits, columns - 1)) {
-            bits--;
+    const int channels = src->format == IRIS_GRAY8 ? 1 : 3, bits = remap->step_bits;
+    const int32_t w = remap->size.w, columns = places_of(w, bits);
+    const iris_place *above = remap->places + (size_t)(y >> bits) * (size_t)columns;
+    const map_row row = {above, above + columns, y & ((1 << bits) - 1), bits};
+    for (int32_t column = 0; column < columns - 1; column += PIECE) {
+        row_piece piece = {.count = columns - 1 - column < PIECE ? columns - 1 - column : PIECE,
+                           .step_bits = bits};
+        for (int32_t k = 0; k <= piece.count; k++) {
+            piece.at[k] = place_in(&row, column + k);
         }
-        iris_run run = run_at(&row, column, bits);
-        run.n = run.n < w - x ? run.n : w - x;
-        iris_run_draw(to, &run, src, channels, remap->fill);
-        to += run.n * channels;
-        x += run.n;
+        draw_piece(to + (column << bits) * channels, &piece, src, remap, w - (column << bits));
     }
 }
 

@@ -76,14 +76,6 @@ static void draw_color(uint8_t *to, const iris_run *r, const iris_image *src)
     }
 }
 
-/* Is the position so far inside that the pixels to the right and below exist, rounded or not? (In a picture that is as wide
- * as the kernel asks.) */
-static int is_inside(iris_place at, const iris_image *src)
-{
-    return src->w >= 4 && at.x_q16 >= 0 && at.y_q16 >= 0 && at.x_q16 <= (src->w - 1) * 65536 - 256 &&
-           at.y_q16 <= (src->h - 1) * 65536 - 256;
-}
-
 /* Are all positions between these two beyond one side of the picture? */
 static int is_outside(iris_place a, iris_place b, const iris_image *src)
 {
@@ -98,7 +90,7 @@ static void draw_part(uint8_t *to, const iris_run *part, const iris_image *src, 
     iris_place at = {part->x, part->y}, end = iris_run_place(part, part->n - 1);
     if (!part->exists || is_outside(at, end, src)) {
         memset(to, fill, (size_t)part->n * (size_t)channels);
-    } else if (!is_inside(at, src) || !is_inside(end, src)) {
+    } else if (!iris_run_is_inside(at, src) || !iris_run_is_inside(end, src)) {
         draw_edge(to, part, src, channels, fill);
     } else {
         (channels == 1 ? draw_gray : draw_color)(to, part, src);
@@ -109,7 +101,8 @@ static void draw_part(uint8_t *to, const iris_run *part, const iris_image *src, 
 void iris_run_draw(uint8_t *to, const iris_run *r, const iris_image *src, int channels, uint8_t fill)
 {
     iris_place at = {r->x, r->y};
-    int inside = r->exists && is_inside(at, src) && is_inside(iris_run_place(r, r->n - 1), src);
+    int inside =
+        r->exists && iris_run_is_inside(at, src) && iris_run_is_inside(iris_run_place(r, r->n - 1), src);
     int32_t most = inside ? r->n : PIECE;
     for (int32_t first = 0; first < r->n; first += most, to += most * channels) {
         at = iris_run_place(r, first);

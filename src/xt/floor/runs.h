@@ -21,6 +21,14 @@ iris_place iris_run_place(const iris_run *r, int32_t i);
 /* Is the place within the picture's pixels, whose edges are half a pixel around their centers? */
 int iris_run_sees(iris_place at, iris_size source);
 
+/* Is the place so far inside that the pixels to the right and below exist, rounded or not? (In a picture that is as wide
+ * as iris_row_along_u8 asks.) What is between two such places is as far inside. */
+static inline int iris_run_is_inside(iris_place at, const iris_image *src)
+{
+    return src->w >= 4 && at.x_q16 >= 0 && at.y_q16 >= 0 && at.x_q16 <= (src->w - 1) * 65536 - 256 &&
+           at.y_q16 <= (src->h - 1) * 65536 - 256;
+}
+
 /* The run's n pixels of 1 or 3 channels from src, which has as many; what it does not see becomes `fill`. */
 void iris_run_draw(uint8_t *to, const iris_run *r, const iris_image *src, int channels, uint8_t fill);
 
