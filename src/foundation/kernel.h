@@ -518,10 +518,11 @@ void iris_row_median25_u16_c(uint16_t *dst, const uint16_t *const rows[5], int32
 #define iris_row_median25_u16 iris_row_median25_u16_c
 #endif
 
-/* Paths go on to the next row: of each pixel they become its costs and the least of themselves, of those one step beside
- * + one, and of the least of all + the pixel's leap; less the least of all. Then sums += paths, where sums are not
- * null. */
-void iris_row_paths_u16_c(uint16_t *paths, uint16_t *sums, const iris_row_ground *ground, int32_t n);
+/* Paths go on to the next row: of each pixel they become its costs and the least of those they come from, of these one
+ * step beside + one, and of the least of all + the pixel's leap; less the least of all. Then sums += paths, where sums
+ * are not null. paths may be where they come from. */
+void iris_row_paths_u16_c(uint16_t *paths, const uint16_t *from, uint16_t *sums,
+                          const iris_row_ground *ground, int32_t n);
 #ifndef iris_row_paths_u16
 #define iris_row_paths_u16 iris_row_paths_u16_c
 #endif

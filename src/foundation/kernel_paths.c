@@ -40,14 +40,15 @@ static inline void add(uint16_t *restrict sums, const uint16_t *restrict paths, 
     }
 }
 
-void iris_row_paths_u16_c(uint16_t *paths, uint16_t *sums, const iris_row_ground *ground, int32_t n)
+void iris_row_paths_u16_c(uint16_t *paths, const uint16_t *from, uint16_t *sums,
+                          const iris_row_ground *ground, int32_t n)
 {
-    uint16_t from[STEPS_MOST];
+    uint16_t before[STEPS_MOST];
     const int32_t steps = ground->steps;
     const uint8_t *costs = ground->costs;
-    for (int32_t x = 0; x < n; x++, paths += steps, costs += steps) {
-        memcpy(from, paths, 2 * (size_t)steps);
-        go_on(paths, from, costs, ground, ground->leaps[x]);
+    for (int32_t x = 0; x < n; x++, paths += steps, from += steps, costs += steps) {
+        memcpy(before, from, 2 * (size_t)steps);
+        go_on(paths, before, costs, ground, ground->leaps[x]);
         if (sums) {
             add(sums, paths, steps);
             sums += steps;

@@ -105,13 +105,14 @@ static void run_facing(int plain, uint8_t **rows, int32_t n)
 
 /* ---- paths ---- */
 
-static uint16_t one_step, has_sums;
+static uint16_t one_step, has_sums, in_place;
 
 static void choose_paths(void)
 {
     choose_steps();
     one_step = (uint16_t)random_below(random_below(2) ? 60 : 10001);
     has_sums = (uint16_t)random_below(2);
+    in_place = (uint16_t)random_below(2);
 }
 
 static iris_row_ground ground_of(const uint8_t *costs, const uint8_t *leaps, int32_t n)
@@ -123,7 +124,7 @@ static void run_paths(int plain, uint8_t **rows, int32_t n)
 {
     const iris_row_ground ground = ground_of(rows[2], rows[3], n);
     BODY(plain, iris_row_paths_u16)
-    (cells(rows[0], n), has_sums ? cells(rows[1], n) : NULL, &ground, n);
+    (cells(rows[0], n), cells(rows[in_place ? 0 : 4], n), has_sums ? cells(rows[1], n) : NULL, &ground, n);
 }
 
 static void run_paths_along(int plain, uint8_t **rows, int32_t n)
@@ -166,7 +167,10 @@ static const kernel_case cases[] = {
     {KERNEL(iris_row_parabola_u16), run_parabola, NULL, {ROW_U16, FOUR(ROW_U16)}},
     {KERNEL(iris_row_facing_u16), run_facing, choose_steps, {WIDE_LONGER, WIDE_LONGER, CELLS_U16}},
     {KERNEL(iris_row_median25_u16), run_median25, NULL, {ROW_U16, FIVE(WIDE_AROUND)}},
-    {KERNEL(iris_row_paths_u16), run_paths, choose_paths, {CELLS_U16, CELLS_U16, CELLS_U8, ROW_U16}},
+    {KERNEL(iris_row_paths_u16),
+     run_paths,
+     choose_paths,
+     {CELLS_U16, CELLS_U16, CELLS_U8, ROW_U16, CELLS_U16}},
     {KERNEL(iris_row_paths_along_u16),
      run_paths_along,
      choose_paths,
@@ -361,8 +365,8 @@ static void truth_of_paths(void **state)
             sums[i] = 100;
         }
         const iris_row_ground ground = {costs, leaps, STEPS, 5};
-        BODY(plain, iris_row_paths_u16)(paths, NULL, &ground, N);
-        BODY(plain, iris_row_paths_u16)(paths, sums, &ground, N);
+        BODY(plain, iris_row_paths_u16)(paths, paths, NULL, &ground, N);
+        BODY(plain, iris_row_paths_u16)(paths, paths, sums, &ground, N);
         for (int i = 0; i < N * STEPS; i++) {
             int d = i % STEPS, far = d > 7 ? d - 7 : 7 - d;
             assert_int_equal(paths[i], far == 0 ? 0 : far == 1 ? 9 + 5 : 9 + 8);

@@ -76,11 +76,12 @@ void iris_stereo_block_defaults(iris_stereo_block_config *config);
     (IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) +                                                            \
      IRIS_STEREO_ROW_BYTES(IRIS_STEREO_PIECE + 1, max_disparity, 2) +                                        \
      IRIS_STEREO_ROW_BYTES(1, max_disparity, 2) + 2u * IRIS_STEREO_PAIR_SCRATCH_BYTES(w, max_disparity))
-#define IRIS_STEREO_PICK_SCRATCH_BYTES(w)   (2u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
+#define IRIS_STEREO_PICK_SCRATCH_BYTES(w, max_disparity)                                                     \
+    (2u * IRIS_SCRATCH_ROUND(2u * ((size_t)(w) + (size_t)(max_disparity))))
 #define IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w) (3u * IRIS_SCRATCH_ROUND(2u * (size_t)(w)))
 #define IRIS_STEREO_BLOCK_SCRATCH_BYTES(w, max_disparity)                                                    \
-    (IRIS_STEREO_WINDOWS_SCRATCH_BYTES(w, max_disparity) + IRIS_STEREO_PICK_SCRATCH_BYTES(w) +               \
-     IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
+    (IRIS_STEREO_WINDOWS_SCRATCH_BYTES(w, max_disparity) +                                                   \
+     IRIS_STEREO_PICK_SCRATCH_BYTES(w, max_disparity) + IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
 
 /* Block matching: for each place the disparity at which a square window around it differs least, with a parabola
  * through the three costs there for the fraction of a pixel. At the edge of a near thing windows see both this and
@@ -115,7 +116,7 @@ void iris_stereo_semiglobal_defaults(iris_stereo_semiglobal_config *config);
      IRIS_STEREO_ROW_BYTES(w, max_disparity, 2 * IRIS_STEREO_BAND) +                                         \
      IRIS_STEREO_ROW_BYTES(w, max_disparity, IRIS_STEREO_BAND) +                                             \
      2u * IRIS_STEREO_ROW_BYTES(w, max_disparity, 2) + IRIS_STEREO_ROW_BYTES(1, max_disparity, 4) +          \
-     IRIS_SCRATCH_ROUND(2u * (size_t)(w) + 2u) + IRIS_STEREO_PICK_SCRATCH_BYTES(w) +                         \
+     IRIS_SCRATCH_ROUND(2u * (size_t)(w) + 2u) + IRIS_STEREO_PICK_SCRATCH_BYTES(w, max_disparity) +          \
      IRIS_STEREO_SMOOTH_SCRATCH_BYTES(w))
 
 /* Semi-global matching after Hirschmueller (2008), in bands of rows: the costs of single pixels are summed along the

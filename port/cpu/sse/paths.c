@@ -64,16 +64,17 @@ INLINE lanes reached(lanes own, lanes beside, lanes costs, const step_on *by)
 }
 
 /* Paths of a pixel; whole vectors. What was next to a vector is read before it is overwritten. */
-INLINE void go_on(uint16_t *paths, uint16_t *sums, const uint8_t *costs, int32_t steps, const step_on *by)
+INLINE void go_on(uint16_t *paths, const uint16_t *from, uint16_t *sums, const uint8_t *costs, int32_t steps,
+                  const step_on *by)
 {
     const lanes none = V(set1_epi8)(-1);
-    lanes own = load_lanes(paths), before = from_before(none, own);
+    lanes own = load_lanes(from), before = from_before(none, own);
     for (int32_t d = 0; d < steps; d += HALVES) {
         lanes next = none, before_next = none, behind;
         if (d + HALVES < steps) {
-            next = load_lanes(paths + d + HALVES);
-            before_next = load_lanes(paths + d + HALVES - 1);
-            behind = load_lanes(paths + d + 1);
+            next = load_lanes(from + d + HALVES);
+            before_next = load_lanes(from + d + HALVES - 1);
+            behind = load_lanes(from + d + 1);
         } else {
             behind = to_behind(own, none);
         }
@@ -87,22 +88,23 @@ INLINE void go_on(uint16_t *paths, uint16_t *sums, const uint8_t *costs, int32_t
     }
 }
 
-void iris_row_paths_u16_sse(uint16_t *paths, uint16_t *sums, const iris_row_ground *ground, int32_t n)
+void iris_row_paths_u16_sse(uint16_t *paths, const uint16_t *from, uint16_t *sums,
+                            const iris_row_ground *ground, int32_t n)
 {
     const int32_t steps = ground->steps;
     const uint8_t *costs = ground->costs;
     const lanes one = V(set1_epi16)((short)ground->one);
     if (steps % HALVES != 0) {
-        iris_row_paths_u16_c(paths, sums, ground, n);
+        iris_row_paths_u16_c(paths, from, sums, ground, n);
         return;
     }
-    for (int32_t x = 0; x < n; x++, paths += steps, costs += steps) {
-        const step_on by = step_from(paths, steps, one, ground->leaps[x]);
+    for (int32_t x = 0; x < n; x++, paths += steps, from += steps, costs += steps) {
+        const step_on by = step_from(from, steps, one, ground->leaps[x]);
         if (sums) {
-            go_on(paths, sums, costs, steps, &by);
+            go_on(paths, from, sums, costs, steps, &by);
             sums += steps;
         } else {
-            go_on(paths, NULL, costs, steps, &by);
+            go_on(paths, from, NULL, costs, steps, &by);
         }
     }
 }
@@ -125,6 +127,58 @@ INLINE void go_beside(uint16_t *paths, uint16_t *sums, const uint8_t *costs, int
     }
 }
 
+/* The same where paths stay in registers: `count` vectors, a constant. */
+INLINE void go_in_registers(lanes *paths, uint16_t *sums, const uint8_t *costs, int count, lanes one,
+                            uint16_t leap)
+{
+    const lanes none = V(set1_epi8)(-1);
+    lanes all = paths[0], made[4];
+#pragma GCC unroll 4
+    for (int k = 1; k < count; k++) {
+        all = V(min_epu16)(all, paths[k]);
+    }
+    const lanes least = least_of(all);
+    const step_on by = {least, V(add_epi16)(least, V(set1_epi16)((short)leap)), one};
+#pragma GCC unroll 4
+    for (int k = 0; k < count; k++) {
+        lanes before = from_before(k > 0 ? paths[k - 1] : none, paths[k]);
+        lanes behind = to_behind(paths[k], k < count - 1 ? paths[k + 1] : none);
+        made[k] = reached(paths[k], V(min_epu16)(before, behind), load_costs(costs + k * HALVES), &by);
+        store_lanes(sums + k * HALVES, V(add_epi16)(load_lanes(sums + k * HALVES), made[k]));
+    }
+#pragma GCC unroll 4
+    for (int k = 0; k < count; k++) {
+        paths[k] = made[k];
+    }
+}
+
+INLINE void along_in_registers(uint16_t *sums, const iris_row_ground *ground, int count, int32_t n)
+{
+    const int32_t steps = count * HALVES;
+    const lanes one = V(set1_epi16)((short)ground->one), zero = V(set1_epi8)(0);
+    const uint8_t *costs = ground->costs, *costs_right = costs + (ptrdiff_t)(n - 1) * steps;
+    uint16_t *sums_right = sums + (ptrdiff_t)(n - 1) * steps;
+    lanes right[4] = {zero, zero, zero, zero}, left[4] = {zero, zero, zero, zero};
+    for (int32_t x = 0; x < n; x++) {
+        go_in_registers(right, sums, costs, count, one, ground->leaps[x]);
+        go_in_registers(left, sums_right, costs_right, count, one, ground->leaps[n - x]);
+        sums += steps;
+        costs += steps;
+        sums_right -= steps;
+        costs_right -= steps;
+    }
+}
+
+static void along_two(uint16_t *sums, const iris_row_ground *ground, int32_t n)
+{
+    along_in_registers(sums, ground, 2, n);
+}
+
+static void along_four(uint16_t *sums, const iris_row_ground *ground, int32_t n)
+{
+    along_in_registers(sums, ground, 4, n);
+}
+
 /* Both ways at once: neither waits for the other one. */
 void iris_row_paths_along_u16_sse(uint16_t *sums, uint16_t *room, const iris_row_ground *ground, int32_t n)
 {
@@ -133,6 +187,10 @@ void iris_row_paths_along_u16_sse(uint16_t *sums, uint16_t *room, const iris_row
     uint16_t *other = room + steps;
     if (steps % HALVES != 0) {
         iris_row_paths_along_u16_c(sums, room, ground, n);
+        return;
+    }
+    if (steps == 4 * HALVES || steps == 2 * HALVES) {
+        (steps == 2 * HALVES ? along_two : along_four)(sums, ground, n);
         return;
     }
     memset(room, 0, 4 * (size_t)steps);

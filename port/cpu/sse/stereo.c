@@ -266,3 +266,75 @@ void iris_row_least_u16_sse(const iris_row_least *to, const uint16_t *costs, int
         at.behind[x] = costs[step + inside];
     }
 }
+
+/* ---- the right picture's view ---- */
+
+/* Values from the one at `by`, 0 to 3, a constant, on; behind the last one there are the greatest. */
+INLINE lanes from_value(lanes here, int by)
+{
+    const lanes none = V(set1_epi8)(-1);
+#ifdef __AVX2__
+    lanes over = _mm256_permute2x128_si256(here, none, 0x21);
+#else
+    lanes over = none;
+#endif
+    return by == 0   ? here
+           : by == 1 ? V(alignr_epi8)(over, here, 2)
+           : by == 2 ? V(alignr_epi8)(over, here, 4)
+                     : V(alignr_epi8)(over, here, 6);
+}
+
+/* Least values and their steps. */
+typedef struct {
+    lanes least, step;
+} seen;
+
+/* The first of two, or the second one where that is less. */
+INLINE seen lower(seen first, seen second)
+{
+    lanes least = V(min_epu16)(first.least, second.least);
+    lanes same = V(cmpeq_epi16)(least, first.least);
+    return (seen){least, V(blendv_epi8)(second.step, first.step, same)};
+}
+
+/* Four pixels, of which each is seen one place further on than the one before: the places from e on. */
+INLINE seen four_pixels(const uint16_t *costs, int32_t steps, int32_t e, int is_last)
+{
+    const uint16_t *at = costs + e;
+    lanes step = V(set1_epi16)((short)e);
+#ifdef __AVX2__
+    step = _mm256_add_epi16(step, _mm256_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+#else
+    step = _mm_add_epi16(step, _mm_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7));
+#endif
+    seen pixel[4];
+#pragma GCC unroll 4
+    for (int j = 0; j < 4; j++, at += steps) {
+        pixel[j].least = is_last ? from_value(load_lanes(at), j) : load_lanes(at + j);
+        pixel[j].step = V(add_epi16)(step, V(set1_epi16)((short)j));
+    }
+    return lower(lower(pixel[0], pixel[1]), lower(pixel[2], pixel[3]));
+}
+
+INLINE void see(uint16_t *least, uint16_t *step, seen now)
+{
+    seen all = lower((seen){load_lanes(least), load_lanes(step)}, now);
+    store_lanes(least, all.least);
+    store_lanes(step, all.step);
+}
+
+void iris_row_facing_u16_sse(uint16_t *least, uint16_t *step, const uint16_t *costs, int32_t steps, int32_t n)
+{
+    int32_t x = 0;
+    for (; x < n - 3 && steps % HALVES == 0; x += 4, costs += 4 * (ptrdiff_t)steps, least -= 4, step -= 4) {
+        int32_t e = 0;
+        for (; e < steps - HALVES; e += HALVES) {
+            see(least + e, step + e, four_pixels(costs, steps, e, 0));
+        }
+        see(least + e, step + e, four_pixels(costs, steps, e, 1));
+        for (int32_t j = 1; j < 4; j++) { /* places before the first one: the first steps of the others */
+            iris_row_facing_u16_c(least - j, step - j, costs + (ptrdiff_t)j * steps, j, 1);
+        }
+    }
+    iris_row_facing_u16_c(least, step, costs, steps, n - x);
+}

@@ -183,16 +183,16 @@ static void move_columns(iris_stereo_costs *c, int32_t end)
     c->moved = end;
 }
 
-/* The window around the row's first pixel. */
+/* The window around the row's first pixel, one column after the other: the piece has room for as many. */
 static void sum_first(const iris_stereo_costs *c, uint16_t *sums)
 {
-    memset(sums, 0, 2 * (size_t)c->steps);
-    for (int32_t k = -c->reach; k <= c->reach; k++) {
-        const uint16_t *from = column(c, k);
-        for (int32_t d = 0; d < c->steps; d++) {
-            sums[d] = (uint16_t)(sums[d] + from[d]);
-        }
+    const size_t bytes = 2 * (size_t)c->steps;
+    memset(c->sums, 0, bytes);
+    memset(c->last, 0, bytes);
+    for (int32_t k = 0; k <= 2 * c->reach; k++) {
+        iris_row_roll_u16(sums + (ptrdiff_t)k * c->steps, column(c, k - c->reach), c->last, c->steps, 1);
     }
+    memmove(sums, sums + (ptrdiff_t)(2 * c->reach) * c->steps, bytes);
 }
 
 uint16_t *iris_stereo_costs_piece(iris_stereo_costs *c, int32_t x, int32_t count)

@@ -11,8 +11,9 @@ iris_status iris_stereo_pick_begin(iris_stereo_pick *p, const iris_stereo_config
 {
     p->config = *config;
     p->w = w;
-    p->right_cost = iris_scratch_take(scratch, 2 * (size_t)w);
-    p->right = iris_scratch_take(scratch, 2 * (size_t)w);
+    const size_t places = (size_t)w + (size_t)config->max_disparity;
+    p->right_cost = iris_scratch_take(scratch, 2 * places);
+    p->right = iris_scratch_take(scratch, 2 * places);
     return p->right_cost && p->right ? IRIS_OK : IRIS_ERR_SCRATCH;
 }
 
@@ -31,17 +32,19 @@ typedef struct {
     int32_t steps, x, count;
 } piece;
 
-/* Those near the left edge have fewer disparities. */
+/* Near the left edge there are fewer disparities: the others are made the worst, and the last one has none behind. */
 static void find_least(const iris_row_least *to, const piece *p)
 {
-    const uint16_t *costs = p->costs;
-    int32_t k = 0;
-    for (; k < p->count && p->x + k < p->steps - 1; k++, costs += p->steps) {
-        const iris_row_least one = {to->step + k, to->before + k, to->least + k, to->behind + k};
-        iris_row_least_u16(&one, costs, p->x + k + 1, p->steps, 1);
+    const int32_t last = p->steps - 1, near = last - p->x < p->count ? last - p->x : p->count;
+    for (int32_t k = 0; k < near; k++) {
+        memset(p->costs + (ptrdiff_t)k * p->steps + p->x + k + 1, 255, 2 * (size_t)(last - p->x - k));
     }
-    const iris_row_least rest = {to->step + k, to->before + k, to->least + k, to->behind + k};
-    iris_row_least_u16(&rest, costs, p->steps, p->steps, p->count - k);
+    iris_row_least_u16(to, p->costs, p->steps, p->steps, p->count);
+    for (int32_t k = 0; k < near; k++) {
+        if (to->step[k] == p->x + k) {
+            to->before[k] = to->behind[k] = to->least[k];
+        }
+    }
 }
 
 /* Takes those back of which another one that is not beside the best is nearly as good. */
@@ -64,16 +67,11 @@ static void keep_unique(uint16_t *disparity, const piece *p, const iris_row_leas
     }
 }
 
+/* Places to the left of the right picture come out, too, behind its own. */
 static void see_from_right(const iris_stereo_pick *p, const piece *from)
 {
-    const int32_t steps = from->steps;
-    uint16_t *least = p->right_cost + p->w - 1 - from->x, *step = p->right + p->w - 1 - from->x;
-    const uint16_t *costs = from->costs;
-    int32_t k = 0;
-    for (; k < from->count && from->x + k < steps - 1; k++, costs += steps) {
-        iris_row_facing_u16(least - k, step - k, costs, from->x + k + 1, 1);
-    }
-    iris_row_facing_u16(least - k, step - k, costs, steps, from->count - k);
+    const ptrdiff_t first = p->w - 1 - from->x;
+    iris_row_facing_u16(p->right_cost + first, p->right + first, from->costs, from->steps, from->count);
 }
 
 /* Those that the right picture does not confirm are none. */
@@ -108,8 +106,9 @@ static void fill(uint16_t *disparity, int32_t w)
 
 void iris_stereo_pick_begin_row(const iris_stereo_pick *p)
 {
-    memset(p->right_cost, 255, 2 * (size_t)p->w);
-    memset(p->right, 0, 2 * (size_t)p->w);
+    const size_t places = (size_t)p->w + (size_t)p->config.max_disparity;
+    memset(p->right_cost, 255, 2 * places);
+    memset(p->right, 0, 2 * places);
 }
 
 void iris_stereo_pick_piece(uint16_t *disparity, const iris_stereo_pick *p, uint16_t *costs, int32_t x,

@@ -7,7 +7,7 @@
 typedef struct {
     iris_stereo_config config;
     int32_t w;
-    uint16_t *right_cost; /* least one of each place of the right picture, from right to left, */
+    uint16_t *right_cost; /* least one of each place of the right picture, from right to left */
     uint16_t *right;      /* and its disparity */
 } iris_stereo_pick;
 

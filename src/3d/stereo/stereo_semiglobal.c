@@ -39,18 +39,23 @@ static void set_leaps(uint16_t *leaps, const band *b, const uint8_t *gray, const
     }
 }
 
-/* A row further down or up; `from`: the row before, outside of the picture for the first one. */
-static void go_on_row(uint16_t *paths, uint16_t *sums, const band *b, const uint8_t *costs, int32_t y,
-                      int32_t from)
+/* A row further down or up, from the paths of row `before`, which is outside of the picture for the first one. */
+static void go_on_row(uint16_t *paths, const uint16_t *from, uint16_t *sums, const iris_row_ground *ground,
+                      const band *b, const int32_t rows[2])
 {
     const iris_image *left = b->costs.left;
-    const iris_row_ground ground = {costs, b->leaps, b->costs.steps, (uint16_t)b->config->p1};
-    if (from < 0 || from >= left->h) {
+    const int is_first = rows[1] < 0 || rows[1] >= left->h;
+    if (is_first) {
         memset(paths, 0, 2 * b->row);
-        from = y;
     }
-    set_leaps(b->leaps, b, iris_image_row(left, y), iris_image_row(left, from), left->w);
-    iris_row_paths_u16(paths, sums, &ground, left->w);
+    set_leaps(b->leaps, b, iris_image_row(left, rows[0]), iris_image_row(left, rows[is_first ? 0 : 1]),
+              left->w);
+    iris_row_paths_u16(paths, is_first ? paths : from, sums, ground, left->w);
+}
+
+static iris_row_ground ground_of(const band *b, const uint8_t *costs)
+{
+    return (iris_row_ground){costs, b->leaps, b->costs.steps, (uint16_t)b->config->p1};
 }
 
 /* Along the row from the left and from the right, added to the sums. */
@@ -58,24 +63,28 @@ static void add_along(uint16_t *sums, const band *b, const uint8_t *costs, int32
 {
     const int32_t w = b->costs.w;
     const uint8_t *gray = iris_image_row(b->costs.left, y);
-    const iris_row_ground ground = {costs, b->leaps, b->costs.steps, (uint16_t)b->config->p1};
+    const iris_row_ground ground = ground_of(b, costs);
     b->leaps[0] = b->leaps[w] = (uint16_t)b->config->p2;
     set_leaps(b->leaps + 1, b, gray + 1, gray, w - 1);
     iris_row_paths_along_u16(sums, b->room, &ground, w);
 }
 
-/* The paths from below, of rows first to last - 1: they begin so many rows further down as a band has. */
-static void go_up(const band *b, int32_t first, int32_t last)
+/* The paths from below, of rows first to last - 1: they begin so many rows further down as a band has. The costs of these
+ * rows stay, and the paths are what the sums begin with. */
+static void go_up(band *b, int32_t first, int32_t last)
 {
+    uint8_t *const costs_of_row = b->costs.costs;
+    const uint16_t *from = b->below;
     int32_t h = b->costs.left->h, end = h - last < BAND ? h : last + BAND;
     for (int32_t y = end - 1; y >= first; y--) {
-        const uint8_t *costs = iris_stereo_costs_pixels(&b->costs, y);
-        go_on_row(b->below, NULL, b, costs, y, y == end - 1 ? -1 : y + 1);
-        if (y < last) {
-            memcpy(b->stored + (size_t)(y - first) * b->row, costs, b->row);
-            memcpy(b->sums + (size_t)(y - first) * b->row, b->below, 2 * b->row);
-        }
+        const int32_t rows[2] = {y, y == end - 1 ? -1 : y + 1};
+        uint16_t *to = y < last ? b->sums + (size_t)(y - first) * b->row : b->below;
+        b->costs.costs = y < last ? b->stored + (size_t)(y - first) * b->row : costs_of_row;
+        const iris_row_ground ground = ground_of(b, iris_stereo_costs_pixels(&b->costs, y));
+        go_on_row(to, from, NULL, &ground, b, rows);
+        from = to;
     }
+    b->costs.costs = costs_of_row;
 }
 
 static void pick_row(const band *b, uint16_t *sums, int32_t y)
@@ -94,7 +103,9 @@ static void go_down(const band *b, int32_t first, int32_t last)
     for (int32_t y = first; y < last; y++) {
         const uint8_t *costs = b->stored + (size_t)(y - first) * b->row;
         uint16_t *sums = b->sums + (size_t)(y - first) * b->row;
-        go_on_row(b->above, sums, b, costs, y, y - 1);
+        const int32_t rows[2] = {y, y - 1};
+        const iris_row_ground ground = ground_of(b, costs);
+        go_on_row(b->above, b->above, sums, &ground, b, rows);
         add_along(sums, b, costs, y);
         pick_row(b, sums, y);
     }
