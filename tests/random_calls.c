@@ -66,8 +66,12 @@ static int has_no_operations(const char *header)
 /* Headers whose operations have no calls yet. */
 static int is_to_be_called(const char *header)
 {
-    static const char *const later[] = {"calib_pair.h", "pair_text.h", "calib_motion.h", "carve_photo.h",
-                                        "map_text.h",   "voxel_map.h", "voxel_mesh.h",   "carve_mesh.h"};
+    static const char *const later[] = {
+        "calib_pair.h",
+        "pair_text.h",
+        "map_text.h",
+        "voxel_map.h",
+    };
     for (size_t i = 0; i < sizeof later / sizeof later[0]; i++) {
         if (strcmp(header, later[i]) == 0) {
             return 1;

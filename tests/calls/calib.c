@@ -154,7 +154,7 @@ static board_call any_board(void)
     if (grid->columns >= IRIS_BOARD_SIDE_MIN && grid->columns <= IRIS_BOARD_SIDE_MAX &&
         grid->rows >= IRIS_BOARD_SIDE_MIN && grid->rows <= IRIS_BOARD_SIDE_MAX && made.size.w > 0 &&
         made.size.h > 0) {
-        made.places = (size_t)(grid->columns * grid->rows);
+        made.places = (size_t)grid->columns * (size_t)grid->rows;
     }
     return made;
 }

@@ -1,5 +1,7 @@
-/* Worlds of voxels, and carving. */
+/* Worlds of voxels, carving by silhouettes and by photographs, and meshes. */
 #include "iris/3d/carve.h"
+#include "iris/3d/carve_mesh.h"
+#include "iris/3d/carve_photo.h"
 
 #include "calls.h"
 #include "space.h"
@@ -166,16 +168,165 @@ static void carve_view(void)
     CALL(iris_carve_view(world, silhouette, m, scratch));
 }
 
-static void write_ply(void)
+/* Bytes go to memory that may be too small. */
+static iris_sink any_sink(void)
 {
     iris_memory_sink memory = {.capacity = draw_below(draw_chance(2) ? 300 : 60000)};
     memory.data = draw_results(memory.capacity);
     iris_sink sink = iris_sink_memory(draw_state(&memory, sizeof memory));
-    const iris_voxel_world *world = any_world(0);
     if (draw_chance(60)) {
         sink.write = NULL;
     }
+    return sink;
+}
+
+static void write_ply(void)
+{
+    iris_sink sink = any_sink();
+    const iris_voxel_world *world = any_world(0);
     CALL(iris_carve_write_ply(sink, world));
+}
+
+/* ---- carve_photo.h ---- */
+
+enum { PHOTOS = 3 };
+
+/* Pictures of up to PHOTOS cameras; rarely null, or others than such that belong together. */
+static const iris_carve_photos *any_photos(iris_size size, int32_t *count)
+{
+    iris_carve_photo photos[PHOTOS];
+    iris_format format = draw_gray_or_color();
+    iris_carve_photos made = {.count = draw_within(1, PHOTOS)};
+    *count = made.count;
+    for (int i = 0; i < made.count; i++) {
+        const iris_q32 *m = any_matrix(size);
+        const iris_image *picture = draw_input(format, size);
+        photos[i] = (iris_carve_photo){.silhouette = draw_chance(2) ? NULL : draw_input(IRIS_MASK1, size)};
+        for (int k = 0; k < 12 && m; k++) {
+            photos[i].m[k] = m[k];
+        }
+        if (picture) {
+            photos[i].picture = *picture;
+        }
+    }
+    made.photos = OR_NULL(draw_given(photos, (size_t)made.count * sizeof *photos));
+    if (draw_chance(30)) {
+        made.count = draw_chance(2) ? draw_within(INT32_MIN, 0) : draw_within(256, INT32_MAX);
+    }
+    return OR_NULL(draw_given(&made, sizeof made));
+}
+
+/* The most voxels along an axis; 1 of a world that is none. */
+static size_t side_of(const iris_voxel_world *world)
+{
+    int32_t side = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        int32_t count = count_of(world, axis);
+        side = count > side && count <= IRIS_VOXEL_SIDE_MAX ? count : side;
+    }
+    return (size_t)side;
+}
+
+static const iris_carve_photo_config *any_photo_config(void)
+{
+    iris_carve_photo_config made = {draw_int(0, 255), draw_within(1, 3)};
+    if (draw_chance(20)) {
+        made.rounds = draw_within(INT32_MIN, 0);
+    }
+    return draw_chance(8) ? NULL : draw_given(&made, sizeof made);
+}
+
+static iris_size photo_size(void)
+{
+    return (iris_size){draw_within(1, 40), draw_within(1, 30)};
+}
+
+static void photo_sweep(void)
+{
+    int32_t views;
+    iris_size size = photo_size();
+    int32_t *removed = OR_NULL(draw_results(sizeof *removed));
+    const iris_voxel_world *world = any_world(1);
+    const iris_carve_photos *photos = any_photos(size, &views);
+    iris_sweep direction = (iris_sweep)draw_int(IRIS_SWEEP_X_UP, IRIS_SWEEP_Z_DOWN);
+    const iris_carve_photo_config *config = any_photo_config();
+    iris_scratch *scratch =
+        draw_scratch(IRIS_CARVE_PHOTO_SCRATCH_BYTES(side_of(world), views, size.w, size.h));
+    CALL(iris_carve_photo_sweep(removed, world, photos, direction, config, scratch));
+}
+
+static void photo_world(void)
+{
+    int32_t views;
+    iris_size size = photo_size();
+    int32_t *removed = OR_NULL(draw_results(sizeof *removed));
+    const iris_voxel_world *world = any_world(1);
+    const iris_carve_photos *photos = any_photos(size, &views);
+    const iris_carve_photo_config *config = any_photo_config();
+    iris_scratch *scratch =
+        draw_scratch(IRIS_CARVE_PHOTO_SCRATCH_BYTES(side_of(world), views, size.w, size.h));
+    CALL(iris_carve_photo_world(removed, world, photos, config, scratch));
+}
+
+/* How many voxels are at the surface; 0 of a world that is none. */
+static int32_t surface_of(const iris_voxel_world *world)
+{
+    int32_t sum = 0;
+    return world && iris_voxel_surface(NULL, 0, &sum, world) == IRIS_OK ? sum : 0;
+}
+
+static void colors(void)
+{
+    int32_t views, room = draw_within(-1, 2000);
+    iris_size size = photo_size();
+    size_t places = (size_t)(room > 0 ? room : 0);
+    iris_carve_color *made = OR_NULL(draw_results(places * sizeof *made));
+    int32_t *sum = OR_NULL(draw_results(sizeof *sum));
+    const iris_voxel_world *world = any_world(0);
+    const iris_carve_photos *photos = any_photos(size, &views);
+    iris_scratch *scratch =
+        draw_scratch(IRIS_CARVE_COLORS_SCRATCH_BYTES(side_of(world), views, size.w, size.h, places));
+    CALL(iris_carve_colors(made, room, sum, world, photos, scratch));
+}
+
+/* Of all voxels at the surface, or of a wrong number of them. */
+static const iris_carve_color *any_colors(const iris_voxel_world *world, int32_t *count)
+{
+    *count = surface_of(world);
+    const iris_carve_color *made = OR_NULL(draw_given(NULL, (size_t)*count * sizeof *made));
+    if (draw_chance(10)) {
+        *count = draw_int(0, 100);
+    }
+    return made;
+}
+
+static void colored_ply(void)
+{
+    int32_t sum;
+    iris_sink sink = any_sink();
+    const iris_voxel_world *world = any_world(0);
+    const iris_carve_color *of = any_colors(world, &sum);
+    CALL(iris_carve_write_colored_ply(sink, world, of, sum));
+}
+
+/* ---- carve_mesh.h ---- */
+
+static void mesh_count(void)
+{
+    int64_t *vertices = OR_NULL(draw_results(sizeof *vertices));
+    int64_t *triangles = OR_NULL(draw_results(sizeof *triangles));
+    const iris_voxel_world *world = any_world(0);
+    CALL(iris_carve_mesh_count(vertices, triangles, world));
+}
+
+static void write_mesh(void)
+{
+    int32_t sum = 0;
+    iris_sink sink = any_sink();
+    const iris_voxel_world *world = any_world(0);
+    const iris_carve_color *of = draw_chance(2) ? NULL : any_colors(world, &sum);
+    iris_scratch *scratch = draw_scratch(IRIS_CARVE_MESH_SCRATCH_BYTES(side_of(world)));
+    CALL(iris_carve_write_mesh(sink, world, of, sum, scratch));
 }
 
 const random_call calls_voxel[] = {
@@ -191,5 +342,11 @@ const random_call calls_voxel[] = {
     {"iris_voxel_plane_matrix", plane_matrix},
     {"iris_carve_view", carve_view},
     {"iris_carve_write_ply", write_ply},
+    {"iris_carve_photo_sweep", photo_sweep},
+    {"iris_carve_photo_world", photo_world},
+    {"iris_carve_colors", colors},
+    {"iris_carve_write_colored_ply", colored_ply},
+    {"iris_carve_mesh_count", mesh_count},
+    {"iris_carve_write_mesh", write_mesh},
     {NULL, NULL},
 };
