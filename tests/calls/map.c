@@ -1,5 +1,7 @@
-/* Maps: scans, grids of odds, and where a robot is. */
+/* Maps: scans, grids of odds and their texts, where a robot is, and maps of space. */
 #include "iris/3d/localize.h"
+#include "iris/3d/map_text.h"
+#include "iris/3d/voxel_map.h"
 
 #include "calls.h"
 
@@ -268,6 +270,139 @@ static void localize(void)
     CALL(iris_localize(location, field, predicted, scan, config, scratch));
 }
 
+/* ---- map_text.h ---- */
+
+static iris_map_text any_map_text(void)
+{
+    iris_map_text made = {.image = "floor.pgm", .cell_mm = draw_int(1, IRIS_GRID_CELL_MAX_MM)};
+    made.left_mm = draw_int(1 - IRIS_MAP_PLACE_MAX_MM, IRIS_MAP_PLACE_MAX_MM - 1);
+    made.bottom_mm = draw_within(-5000, 5000);
+    iris_grid_shades_defaults(&made.shades);
+    if (draw_chance(2)) {
+        made.shades = (iris_grid_shades){draw_int(0, 65536), draw_int(0, 65536), draw_int(0, 1)};
+    }
+    for (size_t i = 0; i < sizeof made.image && draw_chance(3); i++) {
+        made.image[i] = (char)draw_within(draw_chance(8) ? 0 : 33, 126);
+    }
+    if (draw_chance(10)) {
+        for (size_t i = 0; i < sizeof made.image; i++) {
+            made.image[i] = (char)(i + 1 < sizeof made.image || draw_chance(2) ? 'x' : 0);
+        }
+    }
+    return made;
+}
+
+static void write_text(void)
+{
+    iris_map_text made = any_map_text();
+    size_t capacity = draw_chance(3) ? draw_below(IRIS_MAP_TEXT_BYTES) : IRIS_MAP_TEXT_BYTES;
+    char *text = OR_NULL(draw_results(capacity));
+    size_t *length = OR_NULL(draw_results(sizeof *length));
+    const iris_map_text *map = OR_NULL(draw_given(&made, sizeof made));
+    CALL(iris_map_write_text(text, capacity, length, map));
+}
+
+static void read_text(void)
+{
+    char text[IRIS_MAP_TEXT_BYTES] = "image: a.pgm";
+    size_t length = 12;
+    iris_map_text made = any_map_text();
+    (void)iris_map_write_text(text, sizeof text, &length, &made);
+    if (draw_chance(2)) {
+        text[draw_below((uint32_t)length)] ^= (char)draw_below(128);
+    }
+    iris_map_text *map = OR_NULL(draw_results(sizeof *map));
+    int32_t *line = OR_NULL(draw_state(NULL, sizeof *line));
+    length = draw_chance(4) ? draw_below((uint32_t)length + 1) : length;
+    const char *given = OR_NULL(draw_given(text, length));
+    CALL(iris_map_read_text(map, line, given, length));
+}
+
+/* ---- voxel_map.h ---- */
+
+/* Some cubes around (0, 0) from the floor up, or far away. */
+static iris_voxel_map plain_voxels(void)
+{
+    iris_voxel_map made = {.counts = {draw_within(1, 20), draw_within(1, 20), draw_within(1, 9)},
+                           .cell_mm = draw_within(40, 120)};
+    for (int axis = 0; axis < 2; axis++) {
+        made.least_mm[axis] = -made.counts[axis] * made.cell_mm / 2;
+    }
+    if (draw_chance(10)) {
+        made.least_mm[draw_below(3)] = draw_within(1 - IRIS_MAP_PLACE_MAX_MM, IRIS_MAP_PLACE_MAX_MM - 1);
+    }
+    return made;
+}
+
+/* In memory that a call may change; rarely an invalid one, or null. counts: as they are for sure. */
+static const iris_voxel_map *any_voxels(int32_t counts[3], int is_changed)
+{
+    iris_voxel_map made = plain_voxels();
+    size_t bytes = IRIS_VOXEL_MAP_BYTES(made.counts[0], made.counts[1], made.counts[2]);
+    for (int axis = 0; axis < 3; axis++) {
+        counts[axis] = made.counts[axis];
+    }
+    made.odds = is_changed ? draw_results(bytes) : draw_given(NULL, bytes);
+    made.odds = OR_NULL(made.odds);
+    if (draw_chance(20)) {
+        made.counts[draw_below(3)] =
+            draw_chance(2) ? draw_within(INT32_MIN, 0) : draw_within(1025, INT32_MAX);
+    }
+    if (draw_chance(30)) {
+        made.least_mm[draw_below(3)] = draw_int(-IRIS_MAP_PLACE_MAX_MM, IRIS_MAP_PLACE_MAX_MM);
+    }
+    if (draw_chance(30)) {
+        made.cell_mm = draw_int(1, IRIS_GRID_CELL_MAX_MM);
+    }
+    return OR_NULL(draw_given(&made, sizeof made));
+}
+
+static void voxels_init(void)
+{
+    iris_voxel_map made = plain_voxels();
+    if (draw_chance(4)) {
+        made.counts[draw_below(3)] = draw_int(1, 20);
+    }
+    int32_t cell_mm = draw_int(1, IRIS_GRID_CELL_MAX_MM);
+    size_t bytes = draw_chance(3) ? draw_below(8000) : 8000;
+    iris_voxel_map *map = OR_NULL(draw_results(sizeof *map));
+    int8_t *odds = OR_NULL(draw_results(bytes));
+    const int32_t *counts = OR_NULL(draw_given(made.counts, sizeof made.counts));
+    const int32_t *least_mm = OR_NULL(draw_given(made.least_mm, sizeof made.least_mm));
+    CALL(iris_voxel_map_init(map, odds, bytes, counts, cell_mm, least_mm));
+}
+
+static void voxels_fuse(void)
+{
+    iris_size size = {draw_within(1, 24), draw_within(1, 24)};
+    iris_depth_camera made = any_depth_camera(size);
+    iris_voxel_fusion fusion;
+    int32_t counts[3];
+    iris_voxel_fusion_defaults(&fusion);
+    if (draw_chance(4)) {
+        int32_t *numbers[] = {&fusion.fusion.hit, &fusion.fusion.miss, &fusion.fusion.limit, &fusion.every};
+        *numbers[draw_below(4)] = draw_int(1, 127);
+    }
+    const iris_voxel_map *map = any_voxels(counts, 1);
+    const iris_image *depth = draw_input(IRIS_GRAY_U16, size);
+    const iris_depth_camera *camera = OR_NULL(draw_given(&made, sizeof made));
+    const iris_voxel_fusion *config = draw_chance(8) ? NULL : draw_given(&fusion, sizeof fusion);
+    iris_map_pose robot = any_pose();
+    iris_scratch *scratch = draw_scratch(IRIS_VOXEL_MAP_FUSE_SCRATCH_BYTES(counts[0], counts[1], counts[2]));
+    CALL(iris_voxel_map_fuse(map, robot, depth, camera, config, scratch));
+}
+
+static void voxels_solid(void)
+{
+    int32_t counts[3], odds = draw_int(-127, 127);
+    const iris_voxel_map *map = any_voxels(counts, 0);
+    size_t needed = IRIS_VOXEL_BYTES(counts[0], counts[1], counts[2]);
+    size_t bytes = draw_chance(6) ? draw_below((uint32_t)needed) : needed;
+    iris_voxel_world *world = OR_NULL(draw_results(sizeof *world));
+    uint32_t *bits = OR_NULL(draw_results(bytes));
+    CALL(iris_voxel_map_solid(world, bits, bytes, map, odds));
+}
+
 const random_call calls_map[] = {
     {"iris_scan_from_ranges", from_ranges},
     {"iris_scan_from_depth", from_depth},
@@ -277,5 +412,10 @@ const random_call calls_map[] = {
     {"iris_grid_from_picture", from_picture},
     {"iris_field_init", field_init},
     {"iris_localize", localize},
+    {"iris_map_write_text", write_text},
+    {"iris_map_read_text", read_text},
+    {"iris_voxel_map_init", voxels_init},
+    {"iris_voxel_map_fuse", voxels_fuse},
+    {"iris_voxel_map_solid", voxels_solid},
     {NULL, NULL},
 };

@@ -1,6 +1,8 @@
-/* Two cameras: epipolar lines, rectification, and where rays meet. */
+/* Two cameras: from a board, as a text, epipolar lines, rectification, and where rays meet. */
 #include "calls.h"
+#include "iris/3d/calib_pair.h"
 #include "iris/3d/epipolar.h"
+#include "iris/3d/pair_text.h"
 #include "iris/3d/rectify.h"
 #include "iris/3d/triangulate.h"
 #include "space.h"
@@ -157,6 +159,102 @@ static void triangulate(void)
     CALL(iris_triangulate(made, given, count));
 }
 
+/* ---- calib_pair.h ---- */
+
+/* Seldom so many points that they tell of a pair: that takes long. */
+enum { PAIR_VIEWS = 2, PAIR_POINTS = 6 };
+
+/* A board as two cameras see it, some pixels off, twice, or anything. */
+static void see_board(iris_pair_point *points, const iris_sensor cameras[2])
+{
+    iris_vec3 tilt = {draw_q32(-1, 1) / 2, draw_q32(-1, 1) / 2, draw_q32(-1, 1)};
+    iris_vec3 ahead = {draw_q32(-60, 20), draw_q32(-40, 20), draw_q32(250, 400)};
+    iris_mat3 turn;
+    iris_rotation_from_vector(&turn, tilt);
+    for (int i = 0; i < PAIR_POINTS; i++) {
+        iris_vec3 on_board = {30 * (i % 3) * IRIS_Q32_ONE, 30 * (i / 3) * IRIS_Q32_ONE, 0};
+        iris_vec3 world =
+            iris_pose_out_of(&cameras[0].pose, iris_vec3_add(ahead, iris_mat3_vector(&turn, on_board)));
+        points[i] = (iris_pair_point){{on_board.x, on_board.y}, {0, 0}, {0, 0}};
+        (void)iris_sensor_project(&points[i].left, NULL, &cameras[0], world);
+        (void)iris_sensor_project(&points[i].right, NULL, &cameras[1], world);
+        points[i].left.x ^= (iris_q32)draw_below(1u << 29);
+        if (i > 0 && draw_chance(60)) {
+            points[i] = points[draw_below((uint32_t)i)];
+        }
+        draw_spoiled(&points[i].board.x, 6, 150);
+    }
+}
+
+static void pair_calibrate(void)
+{
+    iris_sensor cameras[2];
+    iris_pair_view views[PAIR_VIEWS];
+    int32_t count = draw_chance(3) ? draw_int(0, PAIR_VIEWS) : draw_within(1, PAIR_VIEWS);
+    int fits = count >= 0 && count <= PAIR_VIEWS, tells = draw_chance(4);
+    size_t room = (size_t)(fits ? count : 0), all = 0;
+    any_pair(cameras, usual, usual);
+    for (int v = 0; v < PAIR_VIEWS; v++) {
+        iris_pair_point points[PAIR_POINTS];
+        int32_t n = tells ? draw_within(4, PAIR_POINTS) : draw_within(0, 4);
+        see_board(points, cameras);
+        views[v] = (iris_pair_view){OR_NULL(draw_given(points, (size_t)n * sizeof *points)), n};
+        all += v < count ? (size_t)n : 0;
+        if (draw_chance(60)) {
+            views[v].count = draw_chance(2) ? draw_within(INT32_MIN, -1) : draw_within(4097, INT32_MAX);
+        }
+    }
+    iris_pair_fit *fit = OR_NULL(draw_results(sizeof *fit));
+    iris_pair_place *places = OR_NULL(draw_results(room * sizeof *places));
+    const iris_pair_view *given = OR_NULL(draw_given(views, room * sizeof *views));
+    const iris_sensor *of = OR_NULL(draw_given(cameras, sizeof cameras));
+    count = fits || count < 0 || count > IRIS_BOARD_VIEWS_MAX ? count : 0;
+    iris_scratch *scratch = draw_scratch(IRIS_PAIR_SCRATCH_BYTES(room, all));
+    CALL(iris_pair_calibrate(fit, places, given, count, of, scratch));
+}
+
+/* ---- pair_text.h ---- */
+
+static iris_pair any_pair_model(void)
+{
+    iris_sensor cameras[2];
+    any_pair(cameras, usual, usual);
+    iris_pair made = {.turn = draw_vec3(1), .place = draw_vec3(100)};
+    for (int k = 0; k < 2; k++) {
+        made.cameras[k] = (iris_camera_model){usual, cameras[k].intrinsics, cameras[k].lens};
+    }
+    draw_spoiled(&made.turn.x, 6, 10);
+    return made;
+}
+
+static void write_text(void)
+{
+    iris_sensor sensors[2];
+    iris_pair made = any_pair_model();
+    size_t capacity = draw_chance(3) ? draw_below(IRIS_PAIR_TEXT_BYTES) : IRIS_PAIR_TEXT_BYTES;
+    char *text = OR_NULL(draw_results(capacity));
+    size_t *length = OR_NULL(draw_results(sizeof *length));
+    const iris_pair *pair = OR_NULL(draw_given(&made, sizeof made));
+    iris_pair_sensors(sensors, &made);
+    CALL(iris_pair_write_text(text, capacity, length, pair));
+}
+
+static void read_text(void)
+{
+    char text[IRIS_PAIR_TEXT_BYTES] = "iris pair 1";
+    size_t length = 11;
+    iris_pair made = any_pair_model();
+    (void)iris_pair_write_text(text, sizeof text, &length, &made);
+    if (draw_chance(2)) {
+        text[draw_below((uint32_t)length)] ^= (char)draw_below(128);
+    }
+    iris_pair *pair = OR_NULL(draw_results(sizeof *pair));
+    int32_t *line = OR_NULL(draw_state(NULL, sizeof *line));
+    length = draw_chance(4) ? draw_below((uint32_t)length + 1) : length;
+    const char *given = OR_NULL(draw_given(text, length));
+    CALL(iris_pair_read_text(pair, line, given, length));
+}
+
 const random_call calls_pair[] = {
     {"iris_epipolar_essential", essential},
     {"iris_epipolar_fundamental", fundamental},
@@ -165,5 +263,8 @@ const random_call calls_pair[] = {
     {"iris_rectify", rectify},
     {"iris_rectify_point", rectify_point},
     {"iris_triangulate", triangulate},
+    {"iris_pair_calibrate", pair_calibrate},
+    {"iris_pair_write_text", write_text},
+    {"iris_pair_read_text", read_text},
     {NULL, NULL},
 };
