@@ -8,9 +8,9 @@ static int32_t steps, apart;
 /* Whole vectors, less, and more. */
 static void choose_steps(void)
 {
-    static const int32_t whole[] = {8, 16, 24, 32};
+    static const int32_t whole[] = {8, 16, 24, 32, 32, 32};
     uint32_t which = random_below(8);
-    steps = which < 4 ? whole[which] : 2 + (int32_t)random_below(STEPS - 1);
+    steps = which < 6 ? whole[which] : 2 + (int32_t)random_below(STEPS - 1);
     apart = steps + (int32_t)random_below((uint32_t)(STEPS + 1 - steps));
 }
 

@@ -8,7 +8,7 @@
 #undef IRIS_PORT_NAME
 #define IRIS_PORT_NAME "avx2"
 #undef IRIS_PORT_OVERRIDES
-#define IRIS_PORT_OVERRIDES 53
+#define IRIS_PORT_OVERRIDES 51
 
 void iris_row_luma_rgb888_avx2(uint8_t *dst, const uint8_t *src, int32_t n);
 #undef iris_row_luma_rgb888

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #define IRIS_PORT_NAME      "sse"
-#define IRIS_PORT_OVERRIDES 51
+#define IRIS_PORT_OVERRIDES 49
 
 void iris_row_luma_rgb888_sse(uint8_t *dst, const uint8_t *src, int32_t n);
 #define iris_row_luma_rgb888 iris_row_luma_rgb888_sse
@@ -158,10 +158,6 @@ void iris_row_slide_costs_u16_sse(uint16_t *sums, const iris_row_pair *enter, co
                                   int32_t n);
 #define iris_row_slide_costs_u16 iris_row_slide_costs_u16_sse
 
-void iris_row_roll_u16_sse(uint16_t *sums, const uint16_t *enter, const uint16_t *leave, int32_t steps,
-                           int32_t n);
-#define iris_row_roll_u16 iris_row_roll_u16_sse
-
 void iris_row_least_u16_sse(const iris_row_least *to, const uint16_t *costs, int32_t steps, int32_t apart,
                             int32_t n);
 #define iris_row_least_u16 iris_row_least_u16_sse
@@ -172,9 +168,5 @@ void iris_row_paths_u16_sse(uint16_t *paths, const uint16_t *from, uint16_t *sum
 
 void iris_row_paths_along_u16_sse(uint16_t *sums, uint16_t *room, const iris_row_ground *ground, int32_t n);
 #define iris_row_paths_along_u16 iris_row_paths_along_u16_sse
-
-void iris_row_facing_u16_sse(uint16_t *least, uint16_t *step, const uint16_t *costs, int32_t steps,
-                             int32_t n);
-#define iris_row_facing_u16 iris_row_facing_u16_sse
 
 #endif

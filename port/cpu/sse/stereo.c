@@ -43,7 +43,7 @@ void iris_row_census_u8_sse(uint8_t *const planes[3], const uint8_t *const rows[
     }
 }
 
-/* ---- costs ---- */
+/* ---- costs, of whole vectors of steps ---- */
 
 INLINE lanes bits_of(lanes value)
 {
@@ -91,36 +91,23 @@ INLINE lanes costs_of(const place *left, const uint8_t *const right[4], ptrdiff_
     return sum;
 }
 
-/* Pixel x and the steps from d on alone. */
-static iris_row_pair rest_of(const iris_row_pair *pair, int32_t x, int32_t d)
-{
-    iris_row_pair rest = {.steps = pair->steps - d};
-    for (int k = 0; k < 4; k++) {
-        rest.left[k] = pair->left[k] ? pair->left[k] + x : NULL;
-        rest.right[k] = pair->left[k] ? pair->right[k] - x + d : NULL;
-    }
-    return rest;
-}
-
 INLINE void costs_row(uint8_t *costs, const iris_row_pair *pair, int32_t n, int census, int gray)
 {
-    const int32_t steps = pair->steps, whole = steps / LANES * LANES;
+    const int32_t steps = pair->steps;
     const iris_row_pair views = *pair;
     for (int32_t x = 0; x < n; x++, costs += steps) {
         const place left = place_at(&views, x, census, gray);
-        for (int32_t d = 0; d < whole; d += LANES) {
+        for (int32_t d = 0; d < steps; d += LANES) {
             store_lanes(costs + d, costs_of(&left, views.right, d - x, census, gray));
-        }
-        if (whole < steps) {
-            const iris_row_pair rest = rest_of(pair, x, whole);
-            iris_row_costs_u8_c(costs + whole, &rest, 1);
         }
     }
 }
 
 void iris_row_costs_u8_sse(uint8_t *costs, const iris_row_pair *pair, int32_t n)
 {
-    if (!pair->left[3]) {
+    if (pair->steps % LANES != 0) {
+        iris_row_costs_u8_c(costs, pair, n);
+    } else if (!pair->left[3]) {
         costs_row(costs, pair, n, 1, 0);
     } else if (!pair->left[0]) {
         costs_row(costs, pair, n, 0, 1);
@@ -141,17 +128,13 @@ INLINE void add_bytes(uint16_t *sums, lanes bytes)
 INLINE void slide_row(uint16_t *sums, const iris_row_pair *enter, const iris_row_pair *leave, int32_t n,
                       int census, int gray)
 {
-    const int32_t steps = enter->steps, whole = steps / LANES * LANES;
+    const int32_t steps = enter->steps;
     const iris_row_pair in = *enter, out = *leave;
     for (int32_t x = 0; x < n; x++, sums += steps) {
         const place more = place_at(&in, x, census, gray), less = place_at(&out, x, census, gray);
-        for (int32_t d = 0; d < whole; d += LANES) {
+        for (int32_t d = 0; d < steps; d += LANES) {
             add_bytes(sums + d, V(sub_epi8)(costs_of(&more, in.right, d - x, census, gray),
                                             costs_of(&less, out.right, d - x, census, gray)));
-        }
-        if (whole < steps) {
-            const iris_row_pair rest = rest_of(enter, x, whole), rest_out = rest_of(leave, x, whole);
-            iris_row_slide_costs_u16_c(sums + whole, &rest, &rest_out, 1);
         }
     }
 }
@@ -159,7 +142,7 @@ INLINE void slide_row(uint16_t *sums, const iris_row_pair *enter, const iris_row
 void iris_row_slide_costs_u16_sse(uint16_t *sums, const iris_row_pair *enter, const iris_row_pair *leave,
                                   int32_t n)
 {
-    if (!leave) {
+    if (!leave || enter->steps % LANES != 0) {
         iris_row_slide_costs_u16_c(sums, enter, leave, n);
     } else if (!enter->left[3]) {
         slide_row(sums, enter, leave, n, 1, 0);
@@ -167,41 +150,6 @@ void iris_row_slide_costs_u16_sse(uint16_t *sums, const iris_row_pair *enter, co
         slide_row(sums, enter, leave, n, 0, 1);
     } else {
         slide_row(sums, enter, leave, n, 1, 1);
-    }
-}
-
-/* ---- sums of windows ---- */
-
-/* `count` vectors of each pixel, which is a constant. */
-INLINE void roll_vectors(uint16_t *sums, const uint16_t *enter, const uint16_t *leave, int32_t steps,
-                         int32_t n, int count)
-{
-    lanes sum[4] = {V(set1_epi8)(0)};
-    for (int k = 0; k < count && n > 0; k++) {
-        sum[k] = load_lanes(sums - steps + k * HALVES);
-    }
-    for (int32_t x = 0; x < n; x++, sums += steps, enter += steps, leave += steps) {
-        for (int k = 0; k < count; k++) {
-            lanes more = V(sub_epi16)(load_lanes(enter + k * HALVES), load_lanes(leave + k * HALVES));
-            sum[k] = V(add_epi16)(sum[k], more);
-            store_lanes(sums + k * HALVES, sum[k]);
-        }
-    }
-}
-
-void iris_row_roll_u16_sse(uint16_t *sums, const uint16_t *enter, const uint16_t *leave, int32_t steps,
-                           int32_t n)
-{
-    if (steps % HALVES != 0) {
-        iris_row_roll_u16_c(sums, enter, leave, steps, n);
-        return;
-    }
-    int32_t d = 0;
-    for (; d <= steps - 4 * HALVES; d += 4 * HALVES) {
-        roll_vectors(sums + d, enter + d, leave + d, steps, n, 4);
-    }
-    for (; d < steps; d += HALVES) {
-        roll_vectors(sums + d, enter + d, leave + d, steps, n, 1);
     }
 }
 
@@ -265,76 +213,4 @@ void iris_row_least_u16_sse(const iris_row_least *to, const uint16_t *costs, int
         at.before[x] = costs[step - inside];
         at.behind[x] = costs[step + inside];
     }
-}
-
-/* ---- the right picture's view ---- */
-
-/* Values from the one at `by`, 0 to 3, a constant, on; behind the last one there are the greatest. */
-INLINE lanes from_value(lanes here, int by)
-{
-    const lanes none = V(set1_epi8)(-1);
-#ifdef __AVX2__
-    lanes over = _mm256_permute2x128_si256(here, none, 0x21);
-#else
-    lanes over = none;
-#endif
-    return by == 0   ? here
-           : by == 1 ? V(alignr_epi8)(over, here, 2)
-           : by == 2 ? V(alignr_epi8)(over, here, 4)
-                     : V(alignr_epi8)(over, here, 6);
-}
-
-/* Least values and their steps. */
-typedef struct {
-    lanes least, step;
-} seen;
-
-/* The first of two, or the second one where that is less. */
-INLINE seen lower(seen first, seen second)
-{
-    lanes least = V(min_epu16)(first.least, second.least);
-    lanes same = V(cmpeq_epi16)(least, first.least);
-    return (seen){least, V(blendv_epi8)(second.step, first.step, same)};
-}
-
-/* Four pixels, of which each is seen one place further on than the one before: the places from e on. */
-INLINE seen four_pixels(const uint16_t *costs, int32_t steps, int32_t e, int is_last)
-{
-    const uint16_t *at = costs + e;
-    lanes step = V(set1_epi16)((short)e);
-#ifdef __AVX2__
-    step = _mm256_add_epi16(step, _mm256_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
-#else
-    step = _mm_add_epi16(step, _mm_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7));
-#endif
-    seen pixel[4];
-#pragma GCC unroll 4
-    for (int j = 0; j < 4; j++, at += steps) {
-        pixel[j].least = is_last ? from_value(load_lanes(at), j) : load_lanes(at + j);
-        pixel[j].step = V(add_epi16)(step, V(set1_epi16)((short)j));
-    }
-    return lower(lower(pixel[0], pixel[1]), lower(pixel[2], pixel[3]));
-}
-
-INLINE void see(uint16_t *least, uint16_t *step, seen now)
-{
-    seen all = lower((seen){load_lanes(least), load_lanes(step)}, now);
-    store_lanes(least, all.least);
-    store_lanes(step, all.step);
-}
-
-void iris_row_facing_u16_sse(uint16_t *least, uint16_t *step, const uint16_t *costs, int32_t steps, int32_t n)
-{
-    int32_t x = 0;
-    for (; x < n - 3 && steps % HALVES == 0; x += 4, costs += 4 * (ptrdiff_t)steps, least -= 4, step -= 4) {
-        int32_t e = 0;
-        for (; e < steps - HALVES; e += HALVES) {
-            see(least + e, step + e, four_pixels(costs, steps, e, 0));
-        }
-        see(least + e, step + e, four_pixels(costs, steps, e, 1));
-        for (int32_t j = 1; j < 4; j++) { /* places before the first one: the first steps of the others */
-            iris_row_facing_u16_c(least - j, step - j, costs + (ptrdiff_t)j * steps, j, 1);
-        }
-    }
-    iris_row_facing_u16_c(least, step, costs, steps, n - x);
 }
