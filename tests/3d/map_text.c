@@ -90,7 +90,7 @@ static void wrong_texts(void **state)
         iris_status status;
         int line;
     } wrong[] = {
-        {"", IRIS_ERR_TRUNCATED, 0},
+        {"", IRIS_ERR_TRUNCATED, 1},
         {"image: m\nresolution: 0.05\n", IRIS_ERR_TRUNCATED, 2},
         {"image:\nresolution: 0.05\norigin: [0, 0, 0]\n", IRIS_ERR_DATA, 1},
         {"image: m\nresolution: 0.0125\norigin: [0, 0, 0]\n", IRIS_ERR_UNSUPPORTED, 2},
@@ -101,6 +101,7 @@ static void wrong_texts(void **state)
         {"image: m\nresolution: 0\norigin: [0, 0, 0]\n", IRIS_ERR_DATA, 3},
         {"image: m\nresolution: -0.05\norigin: [0, 0, 0]\n", IRIS_ERR_DATA, 3},
         {"image: m\nresolution: 99999999999999999999999999\norigin: [0, 0, 0]\n", IRIS_ERR_DATA, 2},
+        {"image: m\nresolution: 999999999999999\norigin: [0, 0, 0]\n", IRIS_ERR_DATA, 2},
         {"image: m\nresolution: 0.05\norigin: [0, 0]\n", IRIS_ERR_DATA, 3},
         {"image: m\nresolution: 0.05\norigin: [0, 0, 0] 1\n", IRIS_ERR_DATA, 3},
         {"image: m\nresolution: 0.05\norigin: [300000, 0, 0]\n", IRIS_ERR_DATA, 3},

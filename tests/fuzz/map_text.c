@@ -19,7 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
             strcmp(again.image, map.image) != 0) {
             abort();
         }
-    } else if (line < 1) {
+    } else if (line < 1 && data) {
         abort();
     }
     return 0;

@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
             abort();
         }
         iris_pair_sensors(sensors, &pair);
-    } else if (line < 1) {
+    } else if (line < 1 && data) {
         abort();
     }
     return 0;

@@ -130,7 +130,7 @@ static int take_decimal(int64_t *millionths, iris_text_lines *r, char behind)
             value = value * 10 + (*r->at - '0');
             places += places >= 0;
         }
-        if (value >= (int64_t)1000000000 * 10 * MILLION) {
+        if (places < 0 && value >= 1000000000) {
             return 0;
         }
     }
@@ -257,7 +257,7 @@ iris_status iris_map_read_text(iris_map_text *map, int32_t *line, const char *te
     if (status == IRIS_OK) {
         *map = made;
     } else {
-        *line = r.line;
+        *line = r.line > 0 ? r.line : 1; /* no text at all */
     }
     return status;
 }
