@@ -9,7 +9,7 @@ enum { SIDE = 40, BEAMS = 40 };
 
 static iris_map_pose any_pose(void)
 {
-    iris_map_pose pose = {draw_within(-500, 500), draw_within(-500, 500),
+    iris_map_pose pose = {draw_within(-300, 300), draw_within(-300, 300),
                           (iris_angle)draw_within(-32768, 32767)};
     if (draw_chance(8)) {
         *(draw_chance(2) ? &pose.x_mm : &pose.y_mm) = draw_int(-IRIS_MAP_PLACE_MAX_MM, IRIS_MAP_PLACE_MAX_MM);

@@ -83,7 +83,7 @@ static void rotation(void)
     iris_motion_config made = any_config(&before);
     size_t room;
     int32_t count = any_count(&room);
-    int tells = draw_chance(6);
+    int tells = draw_chance(12);
     camera.lens = (iris_lens){.k1 = 0};
     for (int v = 0; v < PAIRS; v++) {
         iris_match matches[MATCHES];
@@ -109,7 +109,7 @@ static void known_motion(void)
     iris_motion_config made = any_config(&mount);
     size_t room;
     int32_t count = any_count(&room);
-    int tells = draw_chance(6);
+    int tells = draw_chance(12);
     camera.lens = (iris_lens){.k1 = 0};
     for (int v = 0; v < PAIRS; v++) {
         iris_match matches[MATCHES];

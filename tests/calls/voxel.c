@@ -10,7 +10,7 @@
 static iris_voxel_world *any_world(int is_changed)
 {
     iris_voxel_world made = {
-        .counts = {draw_within(1, draw_chance(4) ? 70 : 40), draw_within(1, 8), draw_within(1, 8)}};
+        .counts = {draw_within(1, draw_chance(4) ? 70 : 40), draw_within(1, 6), draw_within(1, 6)}};
     size_t bytes = IRIS_VOXEL_BYTES(made.counts[0], made.counts[1], made.counts[2]);
     made.least = draw_vec3(4);
     made.most = iris_vec3_add(made.least, (iris_vec3){draw_q32(2, 9), draw_q32(2, 9), draw_q32(2, 9)});
