@@ -243,7 +243,7 @@ verify-examples: $(EXAMPLES)
 
 SCRIPTS := $(filter-out tests/check_%,$(wildcard tests/*.sh))
 verify-scripts: all
-	@tests/programs $(SCRIPTS)
+	@TIMEOUT=1200 tests/programs $(SCRIPTS)
 
 # Windows programs, run by Wine: its server stays between them, so that none meets the end of the last one's. It needs the
 # folder, which Wine itself would make later.

@@ -32,6 +32,15 @@ works "semi-global" left.pgm right.pgm --method semiglobal --max-disparity 8 -o 
 [ "$(wc -c < s.pgm)" -eq 1615 ] && ! cmp -s s.pgm d.pgm; say $? "another method"
 works "a quadtree" left.pgm right.pgm --method quadtree --max-disparity 8 -o q.pgm
 [ "$(wc -c < q.pgm)" -eq 1615 ] && ! cmp -s q.pgm d.pgm; say $? "a third method"
+works "half the resolution" left.pgm right.pgm --method quadtree --max-disparity 8 --scale 2 -o half.pgm
+[ "$(head -3 half.pgm | tr '\n' ' ')" = "P5 20 10 65535 " ]; say $? "its size"
+[ "$(tail -c 400 half.pgm | od -An -v -tu1 -w40 | awk '{ for (i = 21; i < 40; i += 2) {
+    d = $i * 256 + $(i + 1); n += d > 512 && d < 1024 } } END { print n }')" -gt 75 ]; say $? "its disparities"
+works "a sixteenth" left.pgm right.pgm --method quadtree --scale 16 -o least.pgm
+[ "$(head -3 least.pgm | tr '\n' ' ')" = "P5 3 2 65535 " ]; say $? "its size"
+works "the right picture's" left.pgm right.pgm --method quadtree --max-disparity 8 --of right -o r.pgm
+! cmp -s r.pgm q.pgm; say $? "are others"
+works "planes" left.pgm right.pgm --method quadtree --max-disparity 8 --planes -o planes.pgm
 works "-o -" left.pgm right.pgm --method block --max-disparity 8 -o -
 cmp -s out wanted; say $? "disparities on standard output alone"
 works "--help" --help
@@ -42,6 +51,10 @@ refuses "three pictures" 2 'LEFT RIGHT' left.pgm right.pgm left.pgm
 refuses "no such method" 2 "method: .*not 'magic'" left.pgm right.pgm --method magic
 refuses "no disparities" 2 'max-disparity' left.pgm right.pgm --max-disparity 0
 refuses "too many disparities" 2 'max-disparity' left.pgm right.pgm --max-disparity 256
+refuses "no such scale" 2 'scale: .*not 3' left.pgm right.pgm --method quadtree --scale 3
+refuses "scale of another method" 2 'quadtree' left.pgm right.pgm --scale 2
+refuses "scale of depths" 2 'calib: .*scale' left.pgm right.pgm --method quadtree --scale 2 --calib none.pair
+refuses "no such side" 2 "of: .*not 'both'" left.pgm right.pgm --method quadtree --of both
 refuses "a BMP of 16 bits" 2 'd.bmp: .*pgm' left.pgm right.pgm -o d.bmp
 refuses "an unknown preview" 2 'seen.gif' left.pgm right.pgm --preview seen.gif
 refuses "two things on standard output" 2 'only' left.pgm right.pgm --json -o -

@@ -492,6 +492,19 @@ void iris_row_roll_u16_c(uint16_t *sums, const uint16_t *enter, const uint16_t *
 #define iris_row_roll_u16 iris_row_roll_u16_c
 #endif
 
+/* sums of each four neighboring pixels += the costs of these, all of `steps` values; the last ones may be fewer than four.
+ * Modulo 2^16. */
+void iris_row_tiles_u16_c(uint16_t *sums, const uint8_t *costs, int32_t steps, int32_t n);
+#ifndef iris_row_tiles_u16
+#define iris_row_tiles_u16 iris_row_tiles_u16_c
+#endif
+
+/* sums += weight * src, modulo 2^16. */
+void iris_row_weigh_u16_c(uint16_t *sums, const uint16_t *src, uint16_t weight, int32_t n);
+#ifndef iris_row_weigh_u16
+#define iris_row_weigh_u16 iris_row_weigh_u16_c
+#endif
+
 /* The first least one of `steps` (1 to 256) costs of each pixel; pixels are `apart` costs from each other. */
 void iris_row_least_u16_c(const iris_row_least *to, const uint16_t *costs, int32_t steps, int32_t apart,
                           int32_t n);

@@ -126,6 +126,33 @@ void iris_row_roll_u16_c(uint16_t *sums, const uint16_t *enter, const uint16_t *
     }
 }
 
+static inline void add_four(uint16_t *restrict to, const uint8_t *restrict costs, int32_t steps)
+{
+    for (int32_t d = 0; d < steps; d++) {
+        to[d] = (uint16_t)(to[d] + costs[d] + costs[steps + d] + costs[2 * steps + d] + costs[3 * steps + d]);
+    }
+}
+
+void iris_row_tiles_u16_c(uint16_t *sums, const uint8_t *costs, int32_t steps, int32_t n)
+{
+    int32_t whole = n - n % 4;
+    for (int32_t x = 0; x < whole; x += 4, sums += steps, costs += 4 * steps) {
+        add_four(sums, costs, steps);
+    }
+    for (int32_t x = whole; x < n; x++, costs += steps) {
+        for (int32_t d = 0; d < steps; d++) {
+            sums[d] = (uint16_t)(sums[d] + costs[d]);
+        }
+    }
+}
+
+void iris_row_weigh_u16_c(uint16_t *restrict sums, const uint16_t *restrict src, uint16_t weight, int32_t n)
+{
+    for (int32_t i = 0; i < n; i++) {
+        sums[i] = (uint16_t)(sums[i] + weight * (uint32_t)src[i]);
+    }
+}
+
 void iris_row_least_u16_c(const iris_row_least *to, const uint16_t *costs, int32_t steps, int32_t apart,
                           int32_t n)
 {

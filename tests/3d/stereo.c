@@ -1,8 +1,6 @@
 /* Disparities of pairs whose disparities are known, and block matching against the same, window by window. */
 #include "iris/3d/stereo.h"
 
-#include "iris/quadtree.h"
-
 #include "random_number.h"
 #include "test.h"
 
@@ -280,83 +278,6 @@ static void semiglobal_is_the_sum_of_four_paths(void **state)
     }
 }
 
-/* --- the quadtree's windows as the header says it, tile by tile --- */
-
-static int32_t tile_weight(int32_t tile_x, int32_t tile_y, iris_rect b, int32_t mean)
-{
-    int32_t sum = 0, count = 0;
-    for (int32_t k = 0; k < 16; k++) {
-        int32_t x = 4 * tile_x + k % 4, y = 4 * tile_y + k / 4, inside = x < p.l.w && y < p.l.h;
-        sum += inside ? gray(&p.l, x, y) : 0;
-        count += inside;
-    }
-    int own_x = 4 * tile_x + 3 >= b.x && 4 * tile_x < b.x + b.w;
-    int own_y = 4 * tile_y + 3 >= b.y && 4 * tile_y < b.y + b.h;
-    return own_x && own_y ? 6 : abs(sum / count - mean) <= 10 ? 4 : 1;
-}
-
-/* Of all disparities that whose window differs least. */
-static int32_t quadtree_best(iris_rect block, int32_t mean, iris_stereo_cost cost)
-{
-    int32_t best = 0, costs[MOST + 1] = {0}, x = block.x, y = block.y, w = block.w, h = block.h;
-    int32_t left = (x / 4 - 1) * 4, right = ((x + w - 1) / 4 + 2) * 4;
-    int32_t top = (y / 4 - 1) * 4, bottom = ((y + h - 1) / 4 + 2) * 4;
-    for (int32_t d = 0; d <= MOST && d <= x + w / 2; d++) {
-        for (int32_t at_y = top < 0 ? 0 : top; at_y < bottom && at_y < p.l.h; at_y += 2) {
-            for (int32_t at_x = left < 0 ? 0 : left; at_x < right && at_x < p.l.w; at_x++) {
-                costs[d] += tile_weight(at_x / 4, at_y / 4, block, mean) * pixel_cost(at_x, at_y, d, cost);
-            }
-        }
-        costs[d] /= 2;
-        best = costs[d] < costs[best] ? d : best;
-    }
-    return best;
-}
-
-static void assert_leaf(const iris_quadtree_leaf *leaf, iris_stereo_cost cost)
-{
-    for (int32_t y = 0; y < leaf->h; y += 16) {
-        for (int32_t x = 0; x < leaf->w; x += 16) {
-            int32_t w = leaf->w - x < 16 ? leaf->w - x : 16, h = leaf->h - y < 16 ? leaf->h - y : 16;
-            int32_t best = quadtree_best((iris_rect){leaf->x + x, leaf->y + y, w, h}, leaf->mean.g, cost);
-            for (int32_t k = 0; k < w * h; k++) {
-                int32_t is = disparity_at(leaf->x + x + k % w, leaf->y + y + k / w);
-                assert_int_equal((is + 128) / 256, best);
-                assert_int_equal(is, disparity_at(leaf->x + x, leaf->y + y));
-            }
-        }
-    }
-}
-
-static void quadtree_is_the_least_of_each_leaf(void **state)
-{
-    (void)state;
-    static iris_quadtree_leaf leaves[16 * 11];
-    static IRIS_SCRATCH_BUFFER(room, IRIS_STEREO_QUADTREE_SCRATCH_BYTES(W, H, MOST));
-    static const iris_size sizes[] = {{W, H}, {1, 1}, {3, 40}, {50, 2}, {33, 17}, {W, 8}};
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        iris_stereo_quadtree_config config = {MOST, (iris_stereo_cost)(i % 3), 20};
-        iris_quadtree tree = {.leaves = leaves, .capacity = 16 * 11};
-        iris_scratch scratch;
-        size_t bytes = IRIS_STEREO_QUADTREE_SCRATCH_BYTES(sizes[i].w, sizes[i].h, MOST);
-        make_views(sizes[i].w, sizes[i].h);
-        fill_random(i % 2 ? 255 : 20);
-        *pixel(&p.l, sizes[i].w / 3, sizes[i].h / 3) = 255; /* small leaves around it */
-        assert_int_equal(iris_scratch_init(&scratch, room.memory, bytes), IRIS_OK);
-        assert_int_equal(iris_stereo_quadtree(&p.d, &p.l, &p.r, &config, &scratch), IRIS_OK);
-        assert_int_equal(scratch.peak, bytes);
-        assert_margins();
-        assert_int_equal(iris_quadtree_segment(&tree, &p.l, &(iris_quadtree_config){20, 4}), IRIS_OK);
-        for (int32_t k = 0; k < tree.count; k++) {
-            assert_leaf(&leaves[k], config.cost);
-        }
-        assert_int_equal(iris_scratch_init(&scratch, room.memory, bytes - 1), IRIS_OK);
-        assert_int_equal(iris_stereo_quadtree(&p.d, &p.l, &p.r, &config, &scratch), IRIS_ERR_SCRATCH);
-        config.tolerance = 256;
-        assert_int_equal(iris_stereo_quadtree(&p.d, &p.l, &p.r, &config, &scratch), IRIS_ERR_ARG);
-    }
-}
-
 /* --- pairs with a known answer --- */
 
 /* Random dots of which a square lies `near` to the front, and the rest `far`. */
@@ -587,7 +508,6 @@ int main(void)
         cmocka_unit_test(block_is_the_least_of_all_windows),
         cmocka_unit_test(extremes_do_not_overflow),
         cmocka_unit_test(semiglobal_is_the_sum_of_four_paths),
-        cmocka_unit_test(quadtree_is_the_least_of_each_leaf),
         cmocka_unit_test(dots_have_their_exact_disparity),
         cmocka_unit_test(slanted_planes_have_fractions),
         cmocka_unit_test(smoothing_takes_the_median_of_matches),

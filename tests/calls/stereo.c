@@ -69,17 +69,42 @@ static void semiglobal(void)
 static void quadtree(void)
 {
     iris_size size = any_size();
-    iris_stereo_quadtree_config config = {any_disparities(), (iris_stereo_cost)draw_within(0, 2), 20};
+    iris_stereo_quadtree_config config = {
+        any_disparities(), (iris_stereo_cost)draw_within(0, 2),   20, (iris_stereo_side)draw_within(0, 1),
+        draw_within(0, 1), draw_within(1, IRIS_STEREO_LEVELS_MAX)};
     if (draw_chance(4)) {
         config.cost = (iris_stereo_cost)draw_int(IRIS_STEREO_CENSUS, IRIS_STEREO_BOTH);
         config.tolerance = draw_int(0, 255);
+        config.divided = (iris_stereo_side)draw_int(IRIS_STEREO_LEFT, IRIS_STEREO_RIGHT);
+        config.levels = draw_int(1, IRIS_STEREO_LEVELS_MAX);
     }
     const iris_image *left = draw_input(IRIS_GRAY8, size), *right = draw_input(IRIS_GRAY8, size);
     const iris_image *disparity = draw_output(IRIS_GRAY_U16, size);
     const iris_stereo_quadtree_config *with = draw_chance(20) ? NULL : draw_given(&config, sizeof config);
-    int32_t most = with ? asked(config.max_disparity) : 63;
-    iris_scratch *scratch = draw_scratch(IRIS_STEREO_QUADTREE_SCRATCH_BYTES(size.w, size.h, most));
+    int32_t most = with ? asked(config.max_disparity) : 63, levels = with ? config.levels : 3;
+    levels = levels < 1 ? 1 : levels > IRIS_STEREO_LEVELS_MAX ? IRIS_STEREO_LEVELS_MAX : levels;
+    size_t mirror =
+        with && config.divided == IRIS_STEREO_RIGHT ? IRIS_STEREO_MIRROR_BYTES(size.w, size.h) : 0;
+    iris_scratch *scratch =
+        draw_scratch(IRIS_STEREO_QUADTREE_SCRATCH_BYTES(size.w, size.h, most, levels) + mirror);
     CALL(iris_stereo_quadtree(disparity, left, right, with, scratch));
+}
+
+/* The map of half the size alone. */
+static void quadtree_maps(void)
+{
+    iris_size size = any_size(), half_size = {(size.w + 1) / 2, (size.h + 1) / 2};
+    iris_stereo_quadtree_config config = {any_disparities(), IRIS_STEREO_CENSUS, 20, IRIS_STEREO_LEFT, 1, 2};
+    int32_t count = draw_chance(8) ? draw_int(1, 2) : 2;
+    const iris_image *left = draw_input(IRIS_GRAY8, size), *right = draw_input(IRIS_GRAY8, size);
+    const iris_image *half = draw_output(IRIS_GRAY_U16, half_size);
+    iris_image maps[2] = {{0}};
+    if (half) {
+        maps[1] = *half;
+    }
+    iris_scratch *scratch =
+        draw_scratch(IRIS_STEREO_QUADTREE_SCRATCH_BYTES(size.w, size.h, asked(config.max_disparity), 2));
+    CALL(iris_stereo_quadtree_maps(half && half->data ? maps : NULL, count, left, right, &config, scratch));
 }
 
 static void smooth(void)
@@ -100,7 +125,11 @@ static void speckle(void)
 }
 
 const random_call calls_stereo[] = {
-    {"iris_stereo_block", block},       {"iris_stereo_semiglobal", semiglobal},
-    {"iris_stereo_quadtree", quadtree}, {"iris_stereo_smooth", smooth},
-    {"iris_stereo_speckle", speckle},   {NULL, NULL},
+    {"iris_stereo_block", block},
+    {"iris_stereo_semiglobal", semiglobal},
+    {"iris_stereo_quadtree", quadtree},
+    {"iris_stereo_quadtree_maps", quadtree_maps},
+    {"iris_stereo_smooth", smooth},
+    {"iris_stereo_speckle", speckle},
+    {NULL, NULL},
 };

@@ -78,18 +78,29 @@ static void semiglobal_whole(void)
     semiglobal_of(IRIS_STEREO_SAD, 7);
 }
 
-static void quadtree(void)
+static void quadtree_of(iris_stereo_side divided, int32_t planes, int32_t levels)
 {
     enum { STRIP = 24, MOST = 7 };
-    iris_image left, right, disparity = digest_canvas(IRIS_GRAY_U16, STRIP, H);
+    iris_image left, right, maps[2] = {digest_canvas(IRIS_GRAY_U16, STRIP, H), {0}};
     draw_pair(&left, &right);
     left.w = right.w = STRIP;
-    iris_stereo_quadtree_config config;
-    iris_stereo_quadtree_defaults(&config);
-    config.max_disparity = MOST;
-    iris_scratch scratch = digest_scratch(IRIS_STEREO_QUADTREE_SCRATCH_BYTES(STRIP, H, MOST));
-    digest_number(iris_stereo_quadtree(&disparity, &left, &right, &config, &scratch));
-    digest_view(&disparity);
+    maps[1] = digest_canvas(IRIS_GRAY_U16, (STRIP + 1) / 2, (H + 1) / 2);
+    iris_stereo_quadtree_config config = {MOST, IRIS_STEREO_CENSUS, 20, divided, planes, levels};
+    iris_scratch scratch = digest_scratch(IRIS_STEREO_QUADTREE_SCRATCH_BYTES(STRIP, H, MOST, levels) +
+                                          IRIS_STEREO_MIRROR_BYTES(STRIP, H));
+    digest_number(iris_stereo_quadtree_maps(maps, levels > 1 ? 2 : 1, &left, &right, &config, &scratch));
+    digest_view(&maps[0]);
+    digest_view(&maps[1]);
+}
+
+static void quadtree(void)
+{
+    quadtree_of(IRIS_STEREO_LEFT, 0, 1);
+}
+
+static void quadtree_planes(void)
+{
+    quadtree_of(IRIS_STEREO_RIGHT, 1, 2);
 }
 
 /* Disparities of two depths with holes and specks. */
@@ -136,6 +147,7 @@ const digest_operation digest_stereo[] = {
     {"stereo.semiglobal", semiglobal},
     {"stereo.semiglobal_whole", semiglobal_whole},
     {"stereo.quadtree", quadtree},
+    {"stereo.quadtree_planes", quadtree_planes},
     {"stereo.smooth", smooth},
     {"stereo.speckle", speckle},
     {"stereo.depth", depth},

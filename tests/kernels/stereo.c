@@ -78,6 +78,23 @@ static void run_roll(int plain, uint8_t **rows, int32_t n)
     (cells(rows[0], n), cells(rows[1], n), cells(rows[2], n), steps, n);
 }
 
+static void run_tiles(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_tiles_u16)(cells(rows[0], n), rows[1] + (STEPS - steps) * n, steps, n);
+}
+
+static uint16_t weight;
+
+static void choose_weight(void)
+{
+    weight = (uint16_t)random_below(65536);
+}
+
+static void run_weigh(int plain, uint8_t **rows, int32_t n)
+{
+    BODY(plain, iris_row_weigh_u16)((uint16_t *)(void *)rows[0], (uint16_t *)(void *)rows[1], weight, n);
+}
+
 /* ---- which of them are alike ---- */
 
 static void run_least(int plain, uint8_t **rows, int32_t n)
@@ -163,6 +180,8 @@ static const kernel_case cases[] = {
      run_roll,
      choose_steps,
      {ROW_AROUND(1, 2 * STEPS, 2, fill_u16, 1, 0), CELLS_U16, CELLS_U16}},
+    {KERNEL(iris_row_tiles_u16), run_tiles, choose_steps, {CELLS_U16, CELLS_U8}},
+    {KERNEL(iris_row_weigh_u16), run_weigh, choose_weight, {ROW_U16, ROW_U16}},
     {KERNEL(iris_row_least_u16), run_least, choose_steps, {FOUR(ROW_U16), CELLS_U16}},
     {KERNEL(iris_row_parabola_u16), run_parabola, NULL, {ROW_U16, FOUR(ROW_U16)}},
     {KERNEL(iris_row_facing_u16), run_facing, choose_steps, {WIDE_LONGER, WIDE_LONGER, CELLS_U16}},
@@ -261,6 +280,48 @@ static void truth_of_roll(void **state)
         BODY(plain, iris_row_roll_u16)(sums + STEPS, enter, leave, steps, N);
         for (int i = 0; i < N * STEPS; i++) {
             assert_int_equal(sums[STEPS + i], 1000 + (i / STEPS + 1) * (i % STEPS + 2));
+        }
+    }
+}
+
+/* Ten pixels: two tiles of four, and one of two. */
+static void truth_of_tiles(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        static uint16_t sums[4 * STEPS];
+        static uint8_t costs[10 * STEPS];
+        steps = STEPS;
+        for (int i = 0; i < 10 * STEPS; i++) {
+            costs[i] = (uint8_t)(i / STEPS + i % STEPS % 50);
+        }
+        for (int i = 0; i < 4 * STEPS; i++) {
+            sums[i] = 65535;
+        }
+        BODY(plain, iris_row_tiles_u16)(sums, costs, steps, 10);
+        for (int i = 0; i < STEPS; i++) {
+            assert_int_equal(sums[i], 0 + 1 + 2 + 3 + 4 * (i % 50) - 1);
+            assert_int_equal(sums[STEPS + i], 4 + 5 + 6 + 7 + 4 * (i % 50) - 1);
+            assert_int_equal(sums[2 * STEPS + i], 8 + 9 + 2 * (i % 50) - 1);
+            assert_int_equal(sums[3 * STEPS + i], 65535);
+        }
+    }
+}
+
+static void truth_of_weigh(void **state)
+{
+    (void)state;
+    BOTH_BODIES(plain)
+    {
+        uint16_t sums[N], src[N];
+        for (int i = 0; i < N; i++) {
+            sums[i] = 100;
+            src[i] = (uint16_t)(500 * i);
+        }
+        BODY(plain, iris_row_weigh_u16)(sums, src, 3, N);
+        for (int i = 0; i < N; i++) {
+            assert_int_equal(sums[i], (uint16_t)(100 + 1500 * i));
         }
     }
 }
@@ -386,6 +447,7 @@ static int truths(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(truth_of_census), cmocka_unit_test(truth_of_costs),
         cmocka_unit_test(truth_of_roll),   cmocka_unit_test(truth_of_least),
+        cmocka_unit_test(truth_of_tiles),  cmocka_unit_test(truth_of_weigh),
         cmocka_unit_test(truth_of_facing), cmocka_unit_test(truth_of_median25),
         cmocka_unit_test(truth_of_paths),
     };

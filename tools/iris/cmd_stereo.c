@@ -17,17 +17,25 @@
 #include "system.h"
 
 static const char help[] =
-    "usage: iris stereo LEFT RIGHT [--method block|quadtree|semiglobal]\n"
-    "                   [--max-disparity N] [-o DISPARITY] [--preview PICTURE] [--json]\n"
+    "usage: iris stereo LEFT RIGHT [--method block|quadtree|semiglobal] [--max-disparity N]\n"
+    "                   [--scale N] [--of left|right] [--planes]\n"
+    "                   [-o DISPARITY] [--preview PICTURE] [--json]\n"
     "                   [--calib PAIR [--depth DEPTH] [--depth-scale N] [--points CLOUD.ply]]\n\n"
     "How far things are, from the rectified pictures of two cameras side by side: by how many pixels\n"
     "each place of the left picture lies further to the left in the right one. Color becomes gray.\n"
     "With --calib the pictures are rectified first, as iris rectify does it, and distances are real ones.\n\n"
     "  --method block|quadtree|semiglobal\n"
     "                       block: fixed windows of 13x13 pixels; quadtree: windows as large as the\n"
-    "                       picture is even, in an eighth of the time; semiglobal (the default):\n"
+    "                       picture is even, in less time; semiglobal (the default):\n"
     "                       smooth surfaces with sharp edges, in about twice the time\n"
     "  --max-disparity N    of the nearest things, in pixels, 1 to 255 (default 63)\n"
+    "  --scale N            quadtree: 1 (the default), 2, 4, 8, or 16: disparities of every Nth pixel of\n"
+    "                       every Nth row, from pictures of that size: the larger, the quicker;\n"
+    "                       they are those of the whole picture, in its pixels\n"
+    "  --of left|right      quadtree: whose places the disparities are of (default left)\n"
+    "  --planes             quadtree: surfaces that recede become planes, where one disparity for each "
+    "window\n"
+    "                       explains them worse: finer, in half as much time again\n"
     "  -o DISPARITY         a PGM of 16 bits: 256 for a pixel, 0 where there is no match; -: to standard\n"
     "                       output, and nothing else\n"
     "  --preview PICTURE    the same in colors, from blue (far) to red (near); black: no match\n"
@@ -46,9 +54,9 @@ static const char help[] =
     "         iris stereo left.pgm right.pgm --calib rig.pair --depth depth.pgm --points cloud.ply\n";
 
 typedef struct {
-    const char *left, *right, *method, *output, *preview, *calib, *depth, *points;
-    int32_t max_disparity, depth_scale;
-    int json;
+    const char *left, *right, *method, *output, *preview, *of, *calib, *depth, *points;
+    int32_t max_disparity, scale, depth_scale;
+    int json, planes;
 } wishes;
 
 typedef struct {
@@ -60,51 +68,76 @@ typedef struct {
 
 typedef struct {
     const char *name;
-    size_t (*bytes)(iris_size size, int32_t max_disparity);
-    iris_status (*match)(const iris_image *disparity, const iris_image *left, const iris_image *right,
-                         int32_t max_disparity, iris_scratch *scratch);
+    size_t (*bytes)(const wishes *w, iris_size size);
+    iris_status (*match)(const wishes *w, const iris_image *disparity, const iris_image *left,
+                         const iris_image *right, iris_scratch *scratch);
 } stereo_method;
 
-static size_t block_bytes(iris_size size, int32_t max_disparity)
+static size_t block_bytes(const wishes *w, iris_size size)
 {
-    return IRIS_STEREO_BLOCK_SCRATCH_BYTES(size.w, max_disparity);
+    return IRIS_STEREO_BLOCK_SCRATCH_BYTES(size.w, w->max_disparity);
 }
 
-static iris_status block(const iris_image *disparity, const iris_image *left, const iris_image *right,
-                         int32_t max_disparity, iris_scratch *scratch)
+static iris_status block(const wishes *w, const iris_image *disparity, const iris_image *left,
+                         const iris_image *right, iris_scratch *scratch)
 {
     iris_stereo_block_config config;
     iris_stereo_block_defaults(&config);
-    config.stereo.max_disparity = max_disparity;
+    config.stereo.max_disparity = w->max_disparity;
     return iris_stereo_block(disparity, left, right, &config, scratch);
 }
 
-static size_t semiglobal_bytes(iris_size size, int32_t max_disparity)
+static size_t semiglobal_bytes(const wishes *w, iris_size size)
 {
-    return IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(size.w, max_disparity);
+    return IRIS_STEREO_SEMIGLOBAL_SCRATCH_BYTES(size.w, w->max_disparity);
 }
 
-static iris_status semiglobal(const iris_image *disparity, const iris_image *left, const iris_image *right,
-                              int32_t max_disparity, iris_scratch *scratch)
+static iris_status semiglobal(const wishes *w, const iris_image *disparity, const iris_image *left,
+                              const iris_image *right, iris_scratch *scratch)
 {
     iris_stereo_semiglobal_config config;
     iris_stereo_semiglobal_defaults(&config);
-    config.stereo.max_disparity = max_disparity;
+    config.stereo.max_disparity = w->max_disparity;
     return iris_stereo_semiglobal(disparity, left, right, &config, scratch);
 }
 
-static size_t quadtree_bytes(iris_size size, int32_t max_disparity)
+/* The level of the pyramid that has 1/scale of the size. */
+static int32_t level_of(int32_t scale)
 {
-    return IRIS_STEREO_QUADTREE_SCRATCH_BYTES(size.w, size.h, max_disparity);
+    int32_t level = 0;
+    while (level < IRIS_STEREO_LEVELS_MAX - 1 && 1 << level < scale) {
+        level++;
+    }
+    return level;
 }
 
-static iris_status quadtree(const iris_image *disparity, const iris_image *left, const iris_image *right,
-                            int32_t max_disparity, iris_scratch *scratch)
+static iris_stereo_quadtree_config quadtree_config(const wishes *w)
 {
     iris_stereo_quadtree_config config;
     iris_stereo_quadtree_defaults(&config);
-    config.max_disparity = max_disparity;
-    return iris_stereo_quadtree(disparity, left, right, &config, scratch);
+    config.max_disparity = w->max_disparity;
+    config.divided = w->of && strcmp(w->of, "right") == 0 ? IRIS_STEREO_RIGHT : IRIS_STEREO_LEFT;
+    config.planes = w->planes;
+    if (config.levels <= level_of(w->scale)) {
+        config.levels = level_of(w->scale) + 1;
+    }
+    return config;
+}
+
+static size_t quadtree_bytes(const wishes *w, iris_size size)
+{
+    iris_stereo_quadtree_config config = quadtree_config(w);
+    return IRIS_STEREO_QUADTREE_SCRATCH_BYTES(size.w, size.h, w->max_disparity, config.levels) +
+           (config.divided == IRIS_STEREO_RIGHT ? IRIS_STEREO_MIRROR_BYTES(size.w, size.h) : 0);
+}
+
+static iris_status quadtree(const wishes *w, const iris_image *disparity, const iris_image *left,
+                            const iris_image *right, iris_scratch *scratch)
+{
+    iris_stereo_quadtree_config config = quadtree_config(w);
+    iris_image maps[IRIS_STEREO_LEVELS_MAX] = {{0}};
+    maps[level_of(w->scale)] = *disparity;
+    return iris_stereo_quadtree_maps(maps, level_of(w->scale) + 1, left, right, &config, scratch);
 }
 
 static const stereo_method methods[] = {{"block", block_bytes, block},
@@ -305,8 +338,9 @@ static int match(const wishes *w, const stereo_method *method, const iris_image 
                  (int)right->w, (int)right->h, (int)size.w, (int)size.h);
         return EXIT_BAD_DATA;
     }
-    size_t bytes = method->bytes(size, w->max_disparity);
-    iris_status status = picture_reserve(&disparity, size, IRIS_GRAY_U16);
+    size_t bytes = method->bytes(w, size);
+    iris_size smaller = {(size.w + w->scale - 1) / w->scale, (size.h + w->scale - 1) / w->scale};
+    iris_status status = picture_reserve(&disparity, smaller, IRIS_GRAY_U16);
     void *memory = status == IRIS_OK ? system_scratch(bytes) : NULL;
     if (!memory) {
         complain(w->left, "%s", picture_problem(status == IRIS_OK ? IRIS_ERR_SCRATCH : status, size));
@@ -314,7 +348,7 @@ static int match(const wishes *w, const stereo_method *method, const iris_image 
         return EXIT_BAD_DATA;
     }
     iris_scratch_init(&scratch, memory, bytes);
-    status = method->match(&disparity.image, left, right, w->max_disparity, &scratch);
+    status = method->match(w, &disparity.image, left, right, &scratch);
     free(memory);
     int exit_code = EXIT_BAD_DATA;
     if (status == IRIS_OK) {
@@ -346,6 +380,28 @@ static int run(const wishes *w, const stereo_method *method)
 }
 
 /* Is the call one that can be carried out? */
+static int check_windows(const wishes *w)
+{
+    int quadtree_only = w->scale != 1 || w->of || w->planes;
+    if (quadtree_only && strcmp(w->method, "quadtree") != 0) {
+        complain(NULL, "--scale, --of, and --planes are for --method quadtree");
+        return 0;
+    }
+    if (1 << level_of(w->scale) != w->scale) {
+        complain("--scale", "1, 2, 4, 8, or 16, not %d", (int)w->scale);
+        return 0;
+    }
+    if (w->of && strcmp(w->of, "left") != 0 && strcmp(w->of, "right") != 0) {
+        complain("--of", "left or right, not '%s'", w->of);
+        return 0;
+    }
+    if (w->calib && (w->scale != 1 || w->of)) {
+        complain("--calib", "depths are those of the whole left picture: no --scale, no --of");
+        return 0;
+    }
+    return 1;
+}
+
 static int check_files(const wishes *w)
 {
     picture_container output = w->output ? picture_container_of(w->output) : CONTAINER_PGM;
@@ -376,19 +432,22 @@ static int check_files(const wishes *w)
 
 int cmd_stereo(int argc, char **argv)
 {
-    wishes w = {.method = "semiglobal", .max_disparity = 63, .depth_scale = 1};
-    const char *most = NULL, *scale = NULL;
-    const args_option options[] = {
-        {"method", 0, NULL, &w.method},   {"max-disparity", 0, NULL, &most}, {"output", 'o', NULL, &w.output},
-        {"preview", 0, NULL, &w.preview}, {"calib", 0, NULL, &w.calib},      {"depth", 0, NULL, &w.depth},
-        {"depth-scale", 0, NULL, &scale}, {"points", 0, NULL, &w.points},    {"json", 0, &w.json, NULL}};
+    wishes w = {.method = "semiglobal", .max_disparity = 63, .scale = 1, .depth_scale = 1};
+    const char *most = NULL, *scale = NULL, *depth_scale = NULL;
+    const args_option options[] = {{"method", 0, NULL, &w.method},   {"max-disparity", 0, NULL, &most},
+                                   {"scale", 0, NULL, &scale},       {"of", 0, NULL, &w.of},
+                                   {"planes", 0, &w.planes, NULL},   {"output", 'o', NULL, &w.output},
+                                   {"preview", 0, NULL, &w.preview}, {"calib", 0, NULL, &w.calib},
+                                   {"depth", 0, NULL, &w.depth},     {"depth-scale", 0, NULL, &depth_scale},
+                                   {"points", 0, NULL, &w.points},   {"json", 0, &w.json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
         return exit_code;
     }
     const args_whole wholes[] = {{"--max-disparity", most, &w.max_disparity, 1, IRIS_STEREO_DISPARITY_MAX},
-                                 {"--depth-scale", scale, &w.depth_scale, 1, 65535}};
+                                 {"--scale", scale, &w.scale, 1, 16},
+                                 {"--depth-scale", depth_scale, &w.depth_scale, 1, 65535}};
     if (args.operand_count != 2) {
         complain(NULL, "two pictures are expected: LEFT RIGHT (see --help)");
         return EXIT_BAD_CALL;
@@ -396,7 +455,7 @@ int cmd_stereo(int argc, char **argv)
     w.left = args.operands[0];
     w.right = args.operands[1];
     const stereo_method *method = method_of(w.method);
-    if (!method || !args_wholes(wholes, 2) || !check_files(&w)) {
+    if (!method || !args_wholes(wholes, 3) || !check_windows(&w) || !check_files(&w)) {
         return EXIT_BAD_CALL;
     }
     return run(&w, method);

@@ -8,9 +8,9 @@ $(OUT)/iris-score: $(SCORE_OBJ) $(LIB)
 	$(SAY)
 	$(Q)$(CC) $(BASE) -o $@ $(filter %.o %.a,$^) $(LDFLAGS) -lm
 
-score: $(OUT)/iris-score figures ## measures every figure IRIS promises, as a table (PICTURES=dir: with what was found drawn in)
+score: $(OUT)/iris-score figures ## measures every figure IRIS promises, as a table (ONLY=part, PICTURES=dir: with what was found drawn in)
 	$(if $(PICTURES),@mkdir -p $(PICTURES))
-	@$< --figures $(FIGURES) $(if $(PICTURES),--pictures $(PICTURES))
+	@$< --figures $(FIGURES) $(if $(ONLY),--only $(ONLY)) $(if $(PICTURES),--pictures $(PICTURES))
 
 figures: $(OUT)/iris-demo $(if $(CROSS_GAP),,$(COUNTER))
 	@rm -rf $(FIGURES)

@@ -1,153 +1,263 @@
-#include <string.h>
+#include "stereo_hidden.h"
+#include "stereo_planes.h"
 
-#include "iris/quadtree.h"
-#include "stereo_costs.h"
-#include "stereo_pick.h"
-
-#define TILE  4  /* pixels: the least side of a leaf */
-#define SKIP  2  /* of so many rows one is compared */
-#define BLOCK 16 /* pixels: a larger leaf is cut into blocks of at most that */
-
-/* Weights of a window's tiles: of the block, outside of it and as bright as the leaf, and others. */
-enum { OWN = 6, ALIKE = 4, OTHER = 1 };
-
-#define ALIKE_LEVELS 10 /* at most so many gray levels between the means */
-
-/* The costs of all tiles, TILE x TILE pixels each. */
+/* The pictures at all resolutions; left: that which is divided. */
 typedef struct {
-    int32_t columns, rows, steps;
-    uint16_t *costs;  /* rows times columns times steps */
-    uint8_t *means;   /* gray levels, one per tile */
-    uint32_t *sums;   /* of a window: steps */
-    uint16_t *halves; /* of these: they are below 2^17 */
-} tiles;
+    iris_image left[IRIS_STEREO_LEVELS_MAX], right[IRIS_STEREO_LEVELS_MAX];
+} pyramids;
+
+/* What a level is worked on with. */
+typedef struct {
+    iris_stereo_claims claims;
+    iris_quadtree_leaf *leaves;
+    iris_stereo_window *window;
+    uint16_t *sums;
+} tools;
 
 void iris_stereo_quadtree_defaults(iris_stereo_quadtree_config *config)
 {
     if (config) {
-        *config = (iris_stereo_quadtree_config){63, IRIS_STEREO_CENSUS, 20};
+        *config = (iris_stereo_quadtree_config){63, IRIS_STEREO_CENSUS, 20, IRIS_STEREO_LEFT, 0, 3};
     }
 }
 
-static void fill_tiles(const tiles *t, const iris_stereo_costs *c)
+/* --- pictures --- */
+
+static int32_t side_of(int32_t n, int32_t level)
 {
-    size_t row = (size_t)t->columns * (size_t)t->steps;
-    memset(t->costs, 0, 2 * row * (size_t)t->rows);
-    for (int32_t y = 0; y < c->left->h; y += SKIP) {
-        const uint8_t *costs = iris_stereo_costs_pixels(c, y);
-        uint16_t *to = t->costs + (size_t)(y / TILE) * row;
-        for (int32_t x = 0; x < c->w; x++) {
-            for (int32_t d = 0; d < t->steps; d++) {
-                to[d] = (uint16_t)(to[d] + costs[d]);
-            }
-            costs += t->steps;
-            to += x % TILE == TILE - 1 ? t->steps : 0;
+    return (int32_t)IRIS_PYRAMID_SIDE(n, level);
+}
+
+static iris_status make_view(iris_image *view, int32_t w, int32_t h, iris_scratch *scratch)
+{
+    uint8_t *pixels = iris_scratch_take(scratch, (size_t)w * (size_t)h);
+    *view = (iris_image){pixels, w, w, h, IRIS_GRAY8};
+    return pixels ? IRIS_OK : IRIS_ERR_SCRATCH;
+}
+
+/* A copy from right to left, in the scratch. */
+static iris_status mirror(iris_image *to, const iris_image *from, iris_scratch *scratch)
+{
+    iris_status status = make_view(to, from->w, from->h, scratch);
+    for (int32_t y = 0; y < from->h && status == IRIS_OK; y++) {
+        const uint8_t *row = iris_image_row(from, y);
+        uint8_t *reversed = iris_image_row(to, y);
+        for (int32_t x = 0; x < from->w; x++) {
+            reversed[from->w - 1 - x] = row[x];
+        }
+    }
+    return status;
+}
+
+static void reverse_rows(const iris_image *map)
+{
+    for (int32_t y = 0; y < map->h; y++) {
+        uint16_t *row = iris_image_row(map, y);
+        for (int32_t x = 0; x < map->w - 1 - x; x++) {
+            uint16_t other = row[map->w - 1 - x];
+            row[map->w - 1 - x] = row[x];
+            row[x] = other;
         }
     }
 }
 
-static void fill_means(const tiles *t, const iris_image *left)
+/* Views [1] to [levels - 1]. */
+static iris_status make_smaller(iris_image *views, int32_t levels, iris_scratch *scratch)
 {
-    for (int32_t i = 0; i < t->columns * t->rows; i++) {
-        int32_t x = i % t->columns * TILE, y = i / t->columns * TILE, sum = 0;
-        int32_t w = left->w - x < TILE ? left->w - x : TILE, h = left->h - y < TILE ? left->h - y : TILE;
-        for (int32_t k = 0; k < h; k++) {
-            const uint8_t *row = (const uint8_t *)iris_image_row(left, y + k) + x;
-            for (int32_t n = 0; n < w; n++) {
-                sum += row[n];
-            }
-        }
-        t->means[i] = (uint8_t)(sum / (w * h));
-    }
-}
-
-/* Tiles that a side of a block touches, and one more at each end. */
-static void reach(int32_t *first, int32_t *last, int32_t at, int32_t side, int32_t count)
-{
-    *first = at / TILE - 1 < 0 ? 0 : at / TILE - 1;
-    *last = (at + side - 1) / TILE + 1 >= count ? count - 1 : (at + side - 1) / TILE + 1;
-}
-
-static uint32_t weight_of(const tiles *t, int32_t x, int32_t y, const iris_rect *block, int32_t mean)
-{
-    int32_t apart = t->means[y * t->columns + x] - mean;
-    int inside = x >= block->x / TILE && x <= (block->x + block->w - 1) / TILE && y >= block->y / TILE &&
-                 y <= (block->y + block->h - 1) / TILE;
-    return inside ? OWN : apart <= ALIKE_LEVELS && -apart <= ALIKE_LEVELS ? ALIKE : OTHER;
-}
-
-static void sum_window(const tiles *t, const iris_rect *block, int32_t mean)
-{
-    int32_t left, right, top, bottom;
-    reach(&left, &right, block->x, block->w, t->columns);
-    reach(&top, &bottom, block->y, block->h, t->rows);
-    memset(t->sums, 0, 4 * (size_t)t->steps);
-    for (int32_t y = top; y <= bottom; y++) {
-        const uint16_t *costs = t->costs + ((size_t)y * (size_t)t->columns + (size_t)left) * (size_t)t->steps;
-        for (int32_t x = left; x <= right; x++, costs += t->steps) {
-            uint32_t weight = weight_of(t, x, y, block, mean);
-            for (int32_t d = 0; d < t->steps; d++) {
-                t->sums[d] += weight * costs[d];
-            }
+    iris_status status = IRIS_OK;
+    for (int32_t k = 1; k < levels && status == IRIS_OK; k++) {
+        status = make_view(&views[k], (views[k - 1].w + 1) / 2, (views[k - 1].h + 1) / 2, scratch);
+        if (status == IRIS_OK) {
+            status =
+                iris_pyramid_down(&views[k], &views[k - 1], (iris_border){IRIS_BORDER_REPLICATE, 0}, scratch);
         }
     }
-    for (int32_t d = 0; d < t->steps; d++) {
-        t->halves[d] = (uint16_t)(t->sums[d] / 2);
-    }
+    return status;
 }
 
-static void match_block(const iris_image *disparity, const tiles *t, iris_rect block, int32_t mean)
+/* --- a level --- */
+
+static iris_status take_blocks(iris_stereo_level *l, const pyramids *p, int32_t k, iris_scratch *scratch)
 {
-    int32_t center = block.x + block.w / 2;
-    sum_window(t, &block, mean);
-    uint16_t found = iris_stereo_best(t->halves, center < t->steps - 1 ? center + 1 : t->steps);
-    for (int32_t y = 0; y < block.h; y++) {
-        uint16_t *row = (uint16_t *)iris_image_row(disparity, block.y + y) + block.x;
-        for (int32_t x = 0; x < block.w; x++) {
-            row[x] = found;
+    const iris_image *left = &p->left[k];
+    size_t tiles = IRIS_STEREO_TILES(left->w, left->h);
+    *l = (iris_stereo_level){.left = left,
+                             .right = &p->right[k],
+                             .columns = (left->w + IRIS_STEREO_TILE - 1) / IRIS_STEREO_TILE,
+                             .rows = (left->h + IRIS_STEREO_TILE - 1) / IRIS_STEREO_TILE};
+    l->patches = iris_scratch_take(scratch, tiles * sizeof *l->patches);
+    l->owner = iris_scratch_take(scratch, tiles * sizeof *l->owner);
+    return l->patches && l->owner ? IRIS_OK : IRIS_ERR_SCRATCH;
+}
+
+static iris_status take_tools(tools *t, iris_stereo_level *l, iris_scratch *scratch)
+{
+    size_t tiles = (size_t)l->columns * (size_t)l->rows, steps = (size_t)l->steps;
+    l->costs = iris_scratch_take(scratch, 2 * tiles * steps);
+    l->means = iris_scratch_take(scratch, tiles);
+    t->window = iris_scratch_take(scratch, sizeof *t->window);
+    t->sums = iris_scratch_take(scratch, 2 * steps);
+    iris_status status = iris_stereo_claims_begin(&t->claims, l, scratch);
+    t->leaves = iris_scratch_take(scratch, tiles * sizeof *t->leaves);
+    return l->costs && l->means && t->window && t->sums && t->leaves ? status : IRIS_ERR_SCRATCH;
+}
+
+static iris_status match_level(iris_stereo_level *l, const iris_stereo_level *coarser, tools *t,
+                               const iris_stereo_quadtree_config *config, iris_scratch *scratch)
+{
+    iris_status status = iris_stereo_level_divide(l, t->leaves, config->tolerance);
+    if (status == IRIS_OK) {
+        status = iris_stereo_level_fill(l, coarser, config->cost, scratch);
+    }
+    if (status == IRIS_OK) {
+        iris_stereo_match_flat(l, t->window, t->sums);
+        if (config->planes) {
+            iris_stereo_match_planes(l, t->window);
         }
     }
+    return status;
 }
 
-/* A leaf, block by block. */
-static void match_leaf(const iris_image *disparity, const tiles *t, const iris_quadtree_leaf *leaf)
+static void draw(const iris_image *map, const iris_stereo_level *l, const tools *t, int32_t shift,
+                 const iris_stereo_quadtree_config *config)
 {
-    for (int32_t y = 0; y < leaf->h; y += BLOCK) {
-        for (int32_t x = 0; x < leaf->w; x += BLOCK) {
-            int32_t w = leaf->w - x < BLOCK ? leaf->w - x : BLOCK,
-                    h = leaf->h - y < BLOCK ? leaf->h - y : BLOCK;
-            match_block(disparity, t, (iris_rect){leaf->x + x, leaf->y + y, w, h}, leaf->mean.g);
-        }
+    for (int32_t i = 0; i < l->count; i++) {
+        const iris_stereo_patch *p = &l->patches[i];
+        iris_stereo_patch_draw(map, p, &(iris_rect){p->x, p->y, p->w, p->h}, shift, config->max_disparity);
+    }
+    iris_stereo_fill_hidden(map, l, &t->claims, shift, config->max_disparity);
+    if (config->divided == IRIS_STEREO_RIGHT) {
+        reverse_rows(map);
     }
 }
 
-static iris_status match(const iris_image *disparity, const iris_image *left, const iris_image *right,
+/* --- from coarse to fine --- */
+
+/* The finest map that is wanted; count: none. */
+static int32_t finest_of(const iris_image *maps, int32_t count)
+{
+    int32_t finest = 0;
+    while (finest < count && !maps[finest].data) {
+        finest++;
+    }
+    return finest;
+}
+
+static iris_status match(const iris_image *maps, int32_t count, const pyramids *p,
                          const iris_stereo_quadtree_config *config, iris_scratch *scratch)
 {
-    const iris_stereo_config common = {config->max_disparity, config->cost, 255, 0, 0, 0};
-    iris_stereo_costs costs;
-    tiles t = {.columns = (left->w + TILE - 1) / TILE,
-               .rows = (left->h + TILE - 1) / TILE,
-               .steps = config->max_disparity + 1};
-    size_t count = IRIS_STEREO_TILES(left->w, left->h);
-    if (count > SIZE_MAX / 4 / (size_t)t.steps) {
+    iris_stereo_level level[2];
+    int32_t finest = finest_of(maps, count);
+    iris_status status = IRIS_OK;
+    for (int32_t k = config->levels - 1; k >= finest && status == IRIS_OK; k--) {
+        iris_stereo_level *own = &level[k % 2], *coarser = k < config->levels - 1 ? &level[1 - k % 2] : NULL;
+        tools t;
+        status = take_blocks(own, p, k, scratch);
+        own->most = side_of(config->max_disparity, k);
+        own->steps = own->most / 16 * 16 + 16;
+        size_t mark = iris_scratch_mark(scratch);
+        if (status == IRIS_OK) {
+            status = take_tools(&t, own, scratch);
+        }
+        if (status == IRIS_OK) {
+            status = match_level(own, coarser, &t, config, scratch);
+        }
+        if (status == IRIS_OK && k < count && maps[k].data) {
+            draw(&maps[k], own, &t, k, config);
+        }
+        iris_scratch_release(scratch, mark);
+    }
+    return status;
+}
+
+static size_t bytes_of(const iris_image *left, const iris_stereo_quadtree_config *c)
+{
+    return IRIS_STEREO_QUADTREE_SCRATCH_BYTES(left->w, left->h, c->max_disparity, c->levels) +
+           (c->divided == IRIS_STEREO_RIGHT ? IRIS_STEREO_MIRROR_BYTES(left->w, left->h) : 0);
+}
+
+static iris_status match_pictures(const iris_image *maps, int32_t count, pyramids *p,
+                                  const iris_stereo_quadtree_config *config, iris_scratch *scratch)
+{
+    size_t mark = iris_scratch_mark(scratch);
+    iris_status status =
+        iris_scratch_take(scratch, bytes_of(&p->left[0], config)) ? IRIS_OK : IRIS_ERR_SCRATCH;
+    iris_scratch_release(scratch, mark);
+    if (status == IRIS_OK && config->divided == IRIS_STEREO_RIGHT) {
+        const iris_image left = p->left[0];
+        status = mirror(&p->left[0], &p->right[0], scratch);
+        status = status == IRIS_OK ? mirror(&p->right[0], &left, scratch) : status;
+    }
+    status = status == IRIS_OK ? make_smaller(p->left, config->levels, scratch) : status;
+    status = status == IRIS_OK ? make_smaller(p->right, config->levels, scratch) : status;
+    return status == IRIS_OK ? match(maps, count, p, config, scratch) : status;
+}
+
+/* --- calls --- */
+
+static iris_status check_map(const iris_image *maps, int32_t k, const iris_image *left,
+                             const iris_image *right)
+{
+    const iris_image *map = &maps[k];
+    iris_status status = iris_image_check(map);
+    if (status != IRIS_OK) {
+        return status;
+    }
+    if (map->format != IRIS_GRAY_U16) {
+        return IRIS_ERR_FORMAT;
+    }
+    if (map->w != side_of(left->w, k) || map->h != side_of(left->h, k)) {
         return IRIS_ERR_RANGE;
     }
-    iris_status status = iris_stereo_costs_begin(&costs, left, right, &common, 0, scratch);
-    t.costs = iris_scratch_take(scratch, 2 * count * (size_t)t.steps);
-    t.means = iris_scratch_take(scratch, count);
-    t.sums = iris_scratch_take(scratch, 4 * (size_t)t.steps);
-    t.halves = iris_scratch_take(scratch, 2 * (size_t)t.steps);
-    iris_quadtree tree = {.leaves = iris_scratch_take(scratch, count * sizeof *tree.leaves),
-                          .capacity = (int32_t)count};
-    if (status != IRIS_OK || !t.costs || !t.means || !t.sums || !t.halves || !tree.leaves) {
-        return IRIS_ERR_SCRATCH;
+    int meet = iris_image_overlaps(map, left) || iris_image_overlaps(map, right);
+    for (int32_t i = 0; i < k; i++) {
+        meet = meet || (maps[i].data && iris_image_overlaps(map, &maps[i]));
     }
-    fill_tiles(&t, &costs);
-    fill_means(&t, left);
-    status = iris_quadtree_segment(&tree, left, &(iris_quadtree_config){config->tolerance, TILE});
-    for (int32_t i = 0; i < tree.count && status == IRIS_OK; i++) {
-        match_leaf(disparity, &t, &tree.leaves[i]);
+    return meet ? IRIS_ERR_ALIAS : IRIS_OK;
+}
+
+static iris_status check(const iris_image *maps, int32_t count, const iris_image *left,
+                         const iris_image *right, const iris_stereo_quadtree_config *c)
+{
+    if (c->max_disparity < 1 || c->max_disparity > IRIS_STEREO_DISPARITY_MAX ||
+        (unsigned)c->cost > IRIS_STEREO_BOTH || c->tolerance < 0 || c->tolerance > 255 ||
+        (unsigned)c->divided > IRIS_STEREO_RIGHT || c->levels < 1 || c->levels > IRIS_STEREO_LEVELS_MAX ||
+        count < 1 || count > c->levels) {
+        return IRIS_ERR_ARG;
+    }
+    const iris_image *views[] = {left, right};
+    for (int i = 0; i < 2; i++) {
+        iris_status status = iris_image_check(views[i]);
+        if (status != IRIS_OK || views[i]->format != IRIS_GRAY8) {
+            return status != IRIS_OK ? status : IRIS_ERR_FORMAT;
+        }
+    }
+    if (left->w != right->w || left->h != right->h) {
+        return IRIS_ERR_RANGE;
+    }
+    iris_status status = IRIS_OK;
+    for (int32_t k = 0; k < count && status == IRIS_OK; k++) {
+        status = maps[k].data ? check_map(maps, k, left, right) : IRIS_OK;
+    }
+    size_t tiles = IRIS_STEREO_TILES(left->w, left->h);
+    return status == IRIS_OK && tiles > SIZE_MAX / 8 / (size_t)(c->max_disparity + 1) ? IRIS_ERR_RANGE
+                                                                                      : status;
+}
+
+iris_status iris_stereo_quadtree_maps(const iris_image *maps, int32_t count, const iris_image *left,
+                                      const iris_image *right, const iris_stereo_quadtree_config *config,
+                                      iris_scratch *scratch)
+{
+    iris_stereo_quadtree_config defaults;
+    iris_stereo_quadtree_defaults(&defaults);
+    config = config ? config : &defaults;
+    iris_status status =
+        maps && left && right && scratch ? check(maps, count, left, right, config) : IRIS_ERR_ARG;
+    if (status == IRIS_OK) {
+        pyramids p = {{*left}, {*right}};
+        size_t mark = iris_scratch_mark(scratch);
+        status = match_pictures(maps, count, &p, config, scratch);
+        iris_scratch_release(scratch, mark);
     }
     return status;
 }
@@ -155,18 +265,6 @@ static iris_status match(const iris_image *disparity, const iris_image *left, co
 iris_status iris_stereo_quadtree(const iris_image *disparity, const iris_image *left, const iris_image *right,
                                  const iris_stereo_quadtree_config *config, iris_scratch *scratch)
 {
-    iris_stereo_quadtree_config defaults;
-    iris_stereo_quadtree_defaults(&defaults);
-    config = config ? config : &defaults;
-    if (!disparity || !left || !right || !scratch || config->tolerance < 0 || config->tolerance > 255) {
-        return IRIS_ERR_ARG;
-    }
-    const iris_stereo_config common = {config->max_disparity, config->cost, 255, 0, 0, 0};
-    iris_status status = iris_stereo_check(disparity, left, right, &common);
-    if (status == IRIS_OK) {
-        size_t mark = iris_scratch_mark(scratch);
-        status = match(disparity, left, right, config, scratch);
-        iris_scratch_release(scratch, mark);
-    }
-    return status;
+    iris_status status = disparity ? iris_image_check(disparity) : IRIS_ERR_ARG;
+    return status == IRIS_OK ? iris_stereo_quadtree_maps(disparity, 1, left, right, config, scratch) : status;
 }
