@@ -73,7 +73,7 @@ refuses "--photos twice" 2 'photos: is given once' two.txt top_mask.bmp $box --p
 refuses "levels out of range" 2 'levels' two.txt top_mask.bmp $box --photos agree --levels 256
 refuses "a mesh on standard output" 2 'mesh: a file' two.txt top_mask.bmp $box --mesh -
 refuses "a photo of no camera" 1 'other.pgm' two.txt top_mask.bmp $box --photos agree/top.pgm other.pgm
-refuses "cameras that are none" 1 'numbers are those of no camera' flat.txt top_mask.bmp $box --photos agree
+refuses "cameras that are none" 1 'flat.txt: line 3: camera 2 of 2 .tilted.png.: K is to be fx s u0' flat.txt top_mask.bmp $box --photos agree
 refuses "no silhouette" 2 'CAMERAS and a SILHOUETTE' cameras.txt $box
 refuses "no box" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp
 refuses "a box of five numbers" 2 'box: x0,y0,z0' cameras.txt top_mask.bmp --box=0,0,0,1,1
@@ -93,6 +93,29 @@ refuses "a number too few" 1 'fewer.txt: camera 1 of 3 .top.png.: expected are 2
 (cat cameras.txt; echo more) > more.txt
 refuses "more behind the end" 1 'more.txt: more stands behind' more.txt top_mask.bmp $box
 refuses "text for a camera file" 1 'first line is to say how many' top_mask.bmp top_mask.bmp $box
+sed '3s/ 0 1 0 0 0 1 1 0 0 / 0 0 0 0 0 0 0 0 0 /' cameras.txt > nothing.txt
+refuses "a rotation of zeros" 1 'nothing.txt: line 3: camera 2 of 3 .side.png.: R is no rotation' nothing.txt top_mask.bmp $box
+sed '2s/ 1 0 0 0 1 0 0 0 1 / 1 0 0 0 1 0 0 0 -1 /' cameras.txt > mirror.txt
+refuses "a mirror" 1 'mirror.txt: line 2: camera 1 of 3 .top.png.: R is no rotation' mirror.txt top_mask.bmp $box
+sed '2s/ 1 0 0 0 1 0 0 0 1 / 1 0 0 0 0.997 0.07 0 -0.07 0.997 /' cameras.txt > long.txt
+refuses "rows that are too long" 1 'long.txt: line 2: .*R is no rotation' long.txt top_mask.bmp $box
+sed '2s/ 1 0 0 0 1 0 0 0 1 / 1 0 0 0 0.9976 0.07 0 -0.07 0.9976 /' cameras.txt > rounded.txt
+works "a rotation that is rounded" rounded.txt top_mask.bmp $box --voxels 20
+sed '4s/ 100000 / 0 /' cameras.txt > blind.txt
+refuses "no focal length" 1 'blind.txt: line 4: camera 3 of 3 .side2.png.: focal lengths' blind.txt top_mask.bmp $box
+sed 's/ 1000$/ -1000/' cameras.txt > behind.txt
+refuses "cameras that look away" 1 'behind.txt: no view shows any of the box' behind.txt side2_mask.bmp top_mask.bmp side_mask.bmp $box
+refuses "a box that no camera sees" 1 'cameras.txt: no view shows any of the box' cameras.txt top_mask.bmp --box=5,5,5,6,6,6 -o never.ply
+[ ! -e never.ply ]; say $? "writes nothing"
+refuses "the same by photos" 1 'two.txt: no view shows any of the box' two.txt --box=5,5,5,6,6,6 --photos agree
+"$iris" convert --resize 2x2 top_mask.bmp -o top_tiny.bmp
+refuses "a silhouette of a corner" 1 "no view shows any" cameras.txt top_tiny.bmp --box=-0.5,-0.5,-0.5,0.5,0.5,0.5
+sed '2s/ 1000$/ -1000/' cameras.txt > one.txt
+run one.txt side2_mask.bmp top_mask.bmp side_mask.bmp $box --voxels 20
+[ $code -eq 0 ] && [ "$(wc -l < err)" -eq 1 ] && grep -q 'top_mask.bmp: warning: by its camera (top.png) it shows nothing' err
+say $? "a view that looks away is named"
+{ printf 'P5 200 200 255\n'; awk 'BEGIN { for (i = 0; i < 40000; i++) printf "%c", 33 + i % 90 }'; } > top_gray.pgm
+refuses "a photograph as a silhouette" 1 'top_gray.pgm: a silhouette is black and white.*iris threshold' cameras.txt top_gray.pgm $box
 refuses "no picture" 1 'top_text' cameras.txt top_text $box
 refuses "a folder that is not there" 1 'nowhere/m.ply' cameras.txt top_mask.bmp $box --voxels 8 -o nowhere/m.ply
 

@@ -20,10 +20,36 @@ static int read_picture(picture_buffer *picture, const char *path, iris_format f
     return status == IRIS_OK;
 }
 
+/* Black and white, but for grays along edges? A picture without any white is all black. */
+static int is_silhouette(const iris_image *gray)
+{
+    int64_t dark = 0, between = 0, bright = 0;
+    int most = 0;
+    for (int32_t y = 0; y < gray->h; y++) {
+        const uint8_t *row = iris_image_row(gray, y);
+        for (int32_t x = 0; x < gray->w; x++) {
+            dark += row[x] < 32;
+            bright += row[x] >= 224;
+            most = row[x] > most ? row[x] : most;
+        }
+    }
+    between = (int64_t)gray->w * gray->h - dark - bright;
+    if (bright == 0) {
+        return most == 0;
+    }
+    return 2 * between <= (dark < bright ? dark : bright) || 500 * between <= dark + between + bright;
+}
+
 int carve_silhouette_read(picture_buffer *mask, const char *path)
 {
     picture_buffer gray = {0};
     int done = read_picture(&gray, path, IRIS_GRAY8);
+    if (done && !is_silhouette(&gray.image)) {
+        complain(path,
+                 "a silhouette is black and white (white: the thing), and this has grays: iris threshold "
+                 "makes one of it");
+        done = 0;
+    }
     if (done) {
         const iris_size size = {gray.image.w, gray.image.h};
         iris_status status = picture_reserve(mask, size, IRIS_MASK1);

@@ -12,6 +12,7 @@ typedef struct {
     iris_q32 m[12];            /* K [R | t] */
     const char *silhouette;    /* null: none */
     const char *photo;
+    int shows; /* any of the box */
 } carve_view;
 
 typedef struct {
@@ -20,7 +21,8 @@ typedef struct {
     int by_name; /* how the last pictures were matched */
 } carve_views;
 
-/* Reads the cameras: how many, then for each a name, K and R (3 x 3, row by row), and t; "-" is standard input.
+/* Reads the cameras: how many, then for each a name, K and R (3 x 3, row by row), and t; "-" is standard input. K has
+ * focal lengths above 0, and R is a rotation but for what a text rounds.
  * Complains; returns 1, or 0. */
 int carve_views_read(carve_views *views, const char *path);
 

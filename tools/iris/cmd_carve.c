@@ -4,6 +4,7 @@
 #include "args.h"
 #include "carve_photos.h"
 #include "carve_pieces.h"
+#include "carve_shows.h"
 #include "carve_views.h"
 #include "commands.h"
 #include "complain.h"
@@ -23,10 +24,12 @@ static const char help[] =
     "The shape of a thing from its silhouettes (white: the thing) and photographs, seen by cameras that are\n"
     "known: from a box of voxels all are taken away whose middles a silhouette does not have, and then "
     "those\n"
-    "on whose colors the photographs do not agree. What a picture does not show is kept.\n\n"
+    "on whose colors the photographs do not agree. What a picture does not show is kept; one that shows\n"
+    "nothing of the box is named.\n\n"
     "  CAMERAS        a text: how many there are; then for each a name, K (3 x 3), R (3 x 3), and t, row\n"
     "                 by row, with blanks between. K [R | t] leads to pixels of the pictures\n"
-    "  SILHOUETTE...  pictures, or folders of them: by name, when one's name begins with a camera's name\n"
+    "  SILHOUETTE...  black and white pictures, or folders of them: by name, when one's name begins with a "
+    "camera's name\n"
     "                 (without extension): view1_mask.bmp is of view1.png; else by order, one for each.\n"
     "                 None are needed with photos, but they help\n"
     "  --photos PHOTO...\n"
@@ -96,7 +99,7 @@ static void choose_counts(wishes *w, int32_t most)
 
 /* --- carving --- */
 
-static int carve_view_of(const iris_voxel_world *world, const carve_view *view)
+static int carve_view_of(const iris_voxel_world *world, carve_view *view)
 {
     picture_buffer mask = {0};
     int done = carve_silhouette_read(&mask, view->silhouette);
@@ -111,13 +114,14 @@ static int carve_view_of(const iris_voxel_world *world, const carve_view *view)
             complain(view->silhouette, "%s",
                      picture_problem(status, (iris_size){mask.image.w, mask.image.h}));
         }
+        view->shows = done && carve_shows(world, view->m, (iris_size){mask.image.w, mask.image.h});
         free(memory);
     }
     picture_free(&mask);
     return done;
 }
 
-static int carve_all(const iris_voxel_world *world, const carve_views *views, int silhouettes)
+static int carve_all(const iris_voxel_world *world, carve_views *views, int silhouettes)
 {
     int done = 1, part = 0;
     for (int i = 0; i < views->count && done; i++) {
@@ -128,6 +132,36 @@ static int carve_all(const iris_voxel_world *world, const carve_views *views, in
     }
     progress_clear();
     return done;
+}
+
+/* Names the views that show nothing of the box; 0 when none shows any of it. */
+static int check_views(const wishes *w, const iris_voxel_world *world, carve_views *views,
+                       const carve_photos *photos)
+{
+    int showing = 0, photo = 0;
+    for (int i = 0; i < views->count; i++) {
+        carve_view *view = &views->views[i];
+        if (view->photo) {
+            const iris_image *picture = &photos->photos[photo++].picture;
+            view->shows = view->silhouette ? view->shows
+                                           : carve_shows(world, view->m, (iris_size){picture->w, picture->h});
+        }
+        showing += view->shows;
+    }
+    if (showing == 0) {
+        complain(w->cameras,
+                 "no view shows any of the box: is --box in the cameras' unit, do K, R, and t lead from "
+                 "there to pixels, and are the pictures whole?");
+        return 0;
+    }
+    for (int i = 0; i < views->count; i++) {
+        const carve_view *view = &views->views[i];
+        if ((view->silhouette || view->photo) && !view->shows) {
+            complain(view->silhouette ? view->silhouette : view->photo,
+                     "warning: by its camera (%s) it shows nothing of the box", view->name);
+        }
+    }
+    return 1;
 }
 
 /* --- what is told and written --- */
@@ -286,7 +320,7 @@ static int match(carve_views *views, const wishes *w, const input_list *silhouet
             carve_views_match(views, CARVE_SILHOUETTES, silhouettes->paths, silhouettes->count, w->cameras));
 }
 
-static int make(const wishes *w, const iris_voxel_world *world, const carve_views *views, int silhouettes,
+static int make(const wishes *w, const iris_voxel_world *world, carve_views *views, int silhouettes,
                 carve_photos *photos)
 {
     int has_photos = 0;
@@ -296,6 +330,7 @@ static int make(const wishes *w, const iris_voxel_world *world, const carve_view
     const model made = {world, photos};
     result r = {.world = world, .photos = photos, .silhouettes = silhouettes, .by_name = views->by_name};
     return (!has_photos || carve_photos_read(photos, views)) && carve_all(world, views, silhouettes) &&
+           check_views(w, world, views, photos) &&
            (!has_photos || carve_photos_carve(photos, world, w->levels)) &&
            (!w->output || file_write(w->output, write_points, &made)) &&
            (!w->mesh || file_write(w->mesh, write_mesh, &made)) &&
