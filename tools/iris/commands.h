@@ -5,6 +5,7 @@
 #include "operation.h"
 
 /* argv[0] is the command's name; each returns an exit code and has complained unless it is EXIT_DONE. */
+int cmd_borg(int argc, char **argv);
 int cmd_calibrate(int argc, char **argv);
 int cmd_cameras(int argc, char **argv);
 int cmd_capture(int argc, char **argv);
