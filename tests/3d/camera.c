@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "random3d.h"
+#include "double_camera.h"
 #include "test.h"
 
 static const double unit = 1 / 4294967296.0;
@@ -155,6 +155,65 @@ static void where_the_polynomial_turns_back(void **state)
     assert_int_equal(iris_lens_straighten(&straight, &lens, (iris_vec2){0, -one}), IRIS_ERR_RANGE);
 }
 
+/* The first r at which r (1 + k1 r^2 + k2 r^4 + k3 r^6) grows no more, by going outwards; 99: none up to 12. */
+static double fold_of(const iris_lens *l)
+{
+    for (double r = 0; r < 12; r += 1.0 / 8192) {
+        const double s = r * r;
+        if (1 + s * (3 * real(l->k1) + s * (5 * real(l->k2) + s * 7 * real(l->k3))) <= 0) {
+            return r;
+        }
+    }
+    return 99;
+}
+
+/* A ray at r from the axis, in any direction: is it in the picture? */
+static int is_projected(const iris_sensor *s, double r, double angle)
+{
+    const double x = r * cos(angle), y = r * sin(angle);
+    iris_vec2 pixel;
+    return iris_sensor_project(&pixel, NULL, s, (iris_vec3){whole(x), whole(y), IRIS_Q32_ONE}) == IRIS_OK;
+}
+
+/* In every combination of signs: seen up to the fold, and nowhere beyond, also where the polynomial grows again. */
+static void nothing_is_seen_behind_the_fold(void **state)
+{
+    (void)state;
+    int folds = 0, ends = 0;
+    for (int i = 0; i < 300; i++) {
+        iris_sensor s = {.intrinsics = {300 * IRIS_Q32_ONE, 300 * IRIS_Q32_ONE, 0, 0, 0}};
+        iris_mat3_identity(&s.pose.turn);
+        s.lens.k1 = i == 0 ? whole(-0.3) : whole(between(-1, 0.3));
+        s.lens.k2 = i % 3 ? whole(between(-0.3, 0.6)) : 0;
+        s.lens.k3 = i % 3 > 1 ? whole(between(-0.15, 0.15)) : 0;
+        const double fold = fold_of(&s.lens);
+        for (double r = 0.01; r < 7; r += 0.03) {
+            if (fabs(r - fold) > 0.001) {
+                assert_int_equal(is_projected(&s, r, between(0, 6.2831853)), r < fold);
+            }
+        }
+        folds += fold < 7;
+        ends += fold > 7;
+    }
+    printf("#: %d polynomials turn back, %d do not\n", folds, ends);
+    assert_true(folds > 100 && ends > 20);
+}
+
+/* The other direction: the pixel beyond the fold has no ray, and a ray beyond what the fold shows has no pixel. */
+static void nor_where_the_lens_corrects(void **state)
+{
+    (void)state;
+    iris_sensor s = {.intrinsics = {IRIS_Q32_ONE, IRIS_Q32_ONE, 0, 0, 0},
+                     .lens = {.k1 = whole(-0.3), .direction = IRIS_LENS_CORRECTS}};
+    iris_mat3_identity(&s.pose.turn);
+    iris_vec2 straight;
+    const double fold = sqrt(1 / 0.9), farthest = fold * 2 / 3;
+    assert_int_equal(iris_lens_straighten(&straight, &s.lens, (iris_vec2){whole(fold - 0.001), 0}), IRIS_OK);
+    assert_int_equal(iris_lens_straighten(&straight, &s.lens, (iris_vec2){whole(fold + 0.001), 0}),
+                     IRIS_ERR_RANGE);
+    assert_true(is_projected(&s, farthest - 0.01, 1) && !is_projected(&s, farthest + 0.01, 1));
+}
+
 static void matrices_both_ways(void **state)
 {
     (void)state;
@@ -257,6 +316,8 @@ int main(void)
         cmocka_unit_test(lenses_both_ways),
         cmocka_unit_test(barrel_and_pillow),
         cmocka_unit_test(where_the_polynomial_turns_back),
+        cmocka_unit_test(nothing_is_seen_behind_the_fold),
+        cmocka_unit_test(nor_where_the_lens_corrects),
         cmocka_unit_test(matrices_both_ways),
         cmocka_unit_test(by_hand),
         cmocka_unit_test(any_numbers),

@@ -92,7 +92,7 @@ static double worst_level(const iris_remap_view *view, const iris_sensor *camera
 static void as_in_double_precision(void **state)
 {
     (void)state;
-    static const double lenses[][3] = {{0, 0, 0}, {-0.3, 0.1, 0.002}, {0.2, 0, -0.003}, {-0.2, -0.05, 0}};
+    static const double lenses[][3] = {{0, 0, 0}, {-0.3, 0.1, 0.002}, {0.2, 0, -0.003}, {-0.12, -0.01, 0}};
     double worst[5] = {0};
     draw_waves();
     const iris_image src = image_of(source, W, H, IRIS_RGB888, sizeof source);
@@ -116,6 +116,38 @@ static void as_in_double_precision(void **state)
            "%.1f off\n",
            worst[0], worst[2], worst[3], worst[4]);
     assert_true(worst[0] <= 1 && worst[1] <= 1 && worst[2] <= 1.5 && worst[3] <= 4 && worst[4] <= 14);
+}
+
+/* k1 = -0.3 turns back at r = 1.054: beyond it the view is empty, to the step of the map, and not mirrored. */
+static void behind_the_fold_nothing_is_seen(void **state)
+{
+    (void)state;
+    enum { STEP = 4 };
+    const double fold = sqrt(1 / 0.9);
+    iris_sensor camera = camera_of(-0.3, 0, 0);
+    iris_remap_view view;
+    memset(source, 200, sizeof source);
+    iris_remap_view_defaults(&view, &camera.intrinsics, (iris_size){VIEW_W, VIEW_H});
+    view.intrinsics =
+        (iris_intrinsics){80 * IRIS_Q32_ONE, 80 * IRIS_Q32_ONE, 0, 150 * IRIS_Q32_ONE, 93 * IRIS_Q32_ONE};
+    view.fill = 77;
+    view.step_bits = 2;
+    const iris_image src = image_of(source, W, H, IRIS_RGB888, sizeof source);
+    const iris_image dst = image_of(view_pixels, VIEW_W, VIEW_H, IRIS_RGB888, sizeof view_pixels);
+    assert_int_equal(iris_remap_init(&map, places, &view, &camera, (iris_size){W, H}), IRIS_OK);
+    assert_int_equal(iris_remap_draw(&dst, &src, &map), IRIS_OK);
+    for (int y = 0; y < VIEW_H; y++) {
+        for (int x = 0; x < VIEW_W; x++) {
+            const double r = hypot(x - 150, y - 93);
+            double at[2];
+            place(at, &view, &camera, x, y);
+            if (r > 80 * fold) {
+                assert_int_equal(view_pixels[y][x][1], 77);
+            } else if (r < 80 * fold - 2 * STEP && at[0] > 1 && at[1] > 1 && at[0] < W - 2 && at[1] < H - 2) {
+                assert_int_equal(view_pixels[y][x][1], 200);
+            }
+        }
+    }
 }
 
 static void without_a_lens_nothing_changes(void **state)
@@ -214,6 +246,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(as_in_double_precision),
+        cmocka_unit_test(behind_the_fold_nothing_is_seen),
         cmocka_unit_test(without_a_lens_nothing_changes),
         cmocka_unit_test(gray_is_a_channel_of_color),
         cmocka_unit_test(refusals),

@@ -55,7 +55,11 @@ typedef enum {
  *     p + (x, y) (k1 r^2 + k2 r^4 + k3 r^6) + (2 p1 x y + p2 (r^2 + 2 x^2), p1 (r^2 + 2 y^2) + 2 p2 x y)
  *
  * All zero: nothing. The report's second-order case is k1 alone, with IRIS_LENS_CORRECTS: k1 > 0 corrects a barrel,
- * k1 < 0 a pillow (with IRIS_LENS_BENDS the other way around: k1 < 0 makes a barrel). */
+ * k1 < 0 a pillow (with IRIS_LENS_BENDS the other way around: k1 < 0 makes a barrel).
+ *
+ * A polynomial fits a lens only so far out. Where r (1 + k1 r^2 + k2 r^4 + k3 r^6) turns back for the first time, at
+ * the first root of 1 + 3 k1 r^2 + 5 k2 r^4 + 7 k3 r^6 (k1 = -0.3 alone: r = 1.054), it begins to show a second time
+ * what it has shown: nothing beyond is seen. */
 typedef struct {
     iris_q32 k1, k2, k3; /* radial */
     iris_q32 p1, p2;     /* tangential */
@@ -82,12 +86,13 @@ iris_vec3 iris_pose_out_of(const iris_pose *pose, iris_vec3 camera);
 
 /* What a straight ray through p on the picture plane becomes in the lens. O(1), 15 products. With numbers of real lenses (k1
  * to 0.25, k2 to 0.06) and p within half a focal length of the axis, the polynomial is within 2^-29, and what solves it
- * within 2^-27, in either function. */
+ * within 2^-27, in either function. Beyond where the polynomial turns back it is the polynomial still, but nothing that a
+ * camera sees: ask iris_sensor_project. */
 iris_vec2 iris_lens_bend(const iris_lens *lens, iris_vec2 p);
 
 /* The straight ray's place of what is seen at p. One of the two directions is the polynomial itself, the other one
- * solves it, until what it gives is within 2^-28, by at most 30 of Newton's steps. IRIS_ERR_RANGE: there is no such place, so far out that the
- * polynomial turns back; *straight is then the nearest that was found. */
+ * solves it, until what it gives is within 2^-28, by at most 30 of Newton's steps. IRIS_ERR_RANGE: there is no such place, or the polynomial has turned back
+ * there; *straight is then the nearest that was found, or the polynomial. */
 iris_status iris_lens_straighten(iris_vec2 *straight, const iris_lens *lens, iris_vec2 p);
 
 /* From the picture plane to pixels and back. iris_intrinsics_plane: IRIS_ERR_RANGE: alpha_u or alpha_v is not above
@@ -96,8 +101,8 @@ iris_vec2 iris_intrinsics_pixel(const iris_intrinsics *k, iris_vec2 p);
 iris_status iris_intrinsics_plane(iris_vec2 *p, const iris_intrinsics *k, iris_vec2 pixel);
 
 /* Where the picture shows the point, and how far in front of the camera it is (Zc; depth may be null).
- * IRIS_ERR_RANGE: it is not in front of the camera (Zc below 2^-16), or more than 8 focal lengths beside the axis;
- * outputs untouched. With a the larger alpha it is at most a (1 / Zc + 1) 2^-30 pixels off, and four times that
+ * IRIS_ERR_RANGE: it is not in front of the camera (Zc below 2^-16), more than 8 focal lengths beside the axis, or so
+ * far out that the lens's polynomial turns back before; outputs untouched. With a the larger alpha it is at most a (1 / Zc + 1) 2^-30 pixels off, and four times that
  * through a lens whose numbers are those of real ones (k1 to 0.25, k2 to 0.06), for points within half a focal length
  * of the axis. */
 iris_status iris_sensor_project(iris_vec2 *pixel, iris_q32 *depth, const iris_sensor *sensor,

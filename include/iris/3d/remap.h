@@ -52,6 +52,7 @@ void iris_remap_view_defaults(iris_remap_view *view, const iris_intrinsics *intr
  *   places  IRIS_REMAP_PLACES of them, the caller's; they must outlive the map
  *   camera  whose pictures are to be remapped; its pose does not matter
  *   source  their size
+ * What lies beyond the place where the lens's polynomial turns back (camera.h) is not seen, to a step of the map.
  * IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: a side or step_bits out of range, or an alpha that is not above 0.
  * O(places): 40 products of 128 bits each. */
 iris_status iris_remap_init(iris_remap *remap, iris_place *places, const iris_remap_view *view,

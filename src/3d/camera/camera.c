@@ -1,4 +1,4 @@
-#include "iris/3d/camera.h"
+#include "lens_fold.h"
 
 #define NEAREST  ((iris_q32)1 << 16) /* in front of the camera */
 #define WIDEST   (8 * IRIS_Q32_ONE)  /* beside its axis, in focal lengths */
@@ -62,7 +62,11 @@ iris_status iris_sensor_project(iris_vec2 *pixel, iris_q32 *depth, const iris_se
     if (p.x > WIDEST || p.x < -WIDEST || p.y > WIDEST || p.y < -WIDEST) {
         return IRIS_ERR_RANGE;
     }
-    *pixel = iris_intrinsics_pixel(&sensor->intrinsics, iris_lens_bend(&sensor->lens, p));
+    iris_vec2 seen;
+    if (iris_lens_show(&seen, &sensor->lens, p) != IRIS_OK) {
+        return IRIS_ERR_RANGE;
+    }
+    *pixel = iris_intrinsics_pixel(&sensor->intrinsics, seen);
     if (depth) {
         *depth = at.z;
     }

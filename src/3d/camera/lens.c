@@ -1,5 +1,5 @@
 /* What a lens does, and undoes. */
-#include "iris/3d/camera.h"
+#include "lens_fold.h"
 
 #define ROUNDS 30
 #define CLOSE  16                   /* 2^-28 */
@@ -132,21 +132,39 @@ static iris_status solve(iris_vec2 *found, const iris_lens *lens, iris_vec2 want
     return IRIS_ERR_RANGE;
 }
 
+/* Is p, of the polynomial's argument, before the place where it turns back? */
+static int is_before_fold(const iris_lens *lens, iris_vec2 p)
+{
+    return iris_lens_grows(lens, terms_of(lens, p).square);
+}
+
+/* The polynomial, and what solves it: with places before the fold alone. */
+static iris_status forward(iris_vec2 *to, const iris_lens *lens, iris_vec2 p)
+{
+    const iris_vec2 from = {limited(p.x), limited(p.y)};
+    *to = bend(lens, from);
+    return is_before_fold(lens, from) ? IRIS_OK : IRIS_ERR_RANGE;
+}
+
+static iris_status backward(iris_vec2 *to, const iris_lens *lens, iris_vec2 p)
+{
+    const iris_status status = solve(to, lens, p);
+    return status == IRIS_OK && !is_before_fold(lens, *to) ? IRIS_ERR_RANGE : status;
+}
+
+iris_status iris_lens_show(iris_vec2 *seen, const iris_lens *lens, iris_vec2 p)
+{
+    return lens->direction == IRIS_LENS_BENDS ? forward(seen, lens, p) : backward(seen, lens, p);
+}
+
 iris_vec2 iris_lens_bend(const iris_lens *lens, iris_vec2 p)
 {
     iris_vec2 seen;
-    if (lens->direction == IRIS_LENS_BENDS) {
-        return bend(lens, (iris_vec2){limited(p.x), limited(p.y)});
-    }
-    (void)solve(&seen, lens, p);
+    (void)iris_lens_show(&seen, lens, p);
     return seen;
 }
 
 iris_status iris_lens_straighten(iris_vec2 *straight, const iris_lens *lens, iris_vec2 p)
 {
-    if (lens->direction == IRIS_LENS_CORRECTS) {
-        *straight = bend(lens, (iris_vec2){limited(p.x), limited(p.y)});
-        return IRIS_OK;
-    }
-    return solve(straight, lens, p);
+    return lens->direction == IRIS_LENS_CORRECTS ? forward(straight, lens, p) : backward(straight, lens, p);
 }
