@@ -126,6 +126,12 @@ tail -c 6400 depth.pgm | od -An -v -tu1 -w160 | awk '{ for (i = 41; i < 140; i +
     END { exit good < 0.97 * n }'; say $? "the wall is 100 away, in tenths"
 awk '/^end_header/ { on = 1; next } on { n++; good += $3 > 97 && $3 < 103 && NF == 6 } END { exit n < 2500 || good < 0.9 * n }' wall.ply
 say $? "and so are its points"
+works "filled disparities" stereo a.pgm b.pgm --calib wall.pair --max-disparity 12 -o filled.pgm --depth beside.pgm --depth-scale 10
+zeros() { tail -c 6400 "$1" | od -An -v -tu2 -w2 | awk '$1 == 0 { n++ } END { print n + 0 }'; }
+[ "$(zeros filled.pgm)" -eq 0 ] && [ "$(zeros beside.pgm)" -gt 0 ] && cmp -s beside.pgm depth.pgm; say $? "are not depths"
+[ "$(sed -n 's/^element vertex //p' wall.ply)" -eq $((3200 - $(zeros depth.pgm))) ]; say $? "nor points"
+works "depths beyond 16 bits" stereo a.pgm b.pgm --calib wall.pair --max-disparity 12 --depth far.pgm --depth-scale 60000
+[ "$(zeros far.pgm)" -eq 3200 ] && grep -q ", $((3200 - $(zeros depth.pgm))) beyond 65535 left out" out; say $? "are not known, and told"
 works "stereo --calib --json" stereo a.pgm b.pgm --calib wall.pair --max-disparity 12 --json
 near baseline 10 0.0001; grep -q '"focal":.*"u0":.*"v0":.*"nearest":[0-9.]*,"farthest":[0-9.]*}$' out; say $? "its keys"
 works "--points -" stereo a.pgm b.pgm --calib wall.pair --max-disparity 12 --points -

@@ -41,6 +41,22 @@ works "a sixteenth" left.pgm right.pgm --method quadtree --scale 16 -o least.pgm
 works "the right picture's" left.pgm right.pgm --method quadtree --max-disparity 8 --of right -o r.pgm
 ! cmp -s r.pgm q.pgm; say $? "are others"
 works "planes" left.pgm right.pgm --method quadtree --max-disparity 8 --planes -o planes.pgm
+nothing() { tail -c 1600 "$1" | od -An -v -tu2 -w2 | awk '$1 == 0 { n++ } END { print n + 0 }'; } # places without a match
+works "--no-fill" left.pgm right.pgm --method block --max-disparity 8 --no-fill -o open.pgm
+[ "$(nothing d.pgm)" -eq 0 ] && [ "$(nothing open.pgm)" -gt 0 ] && grep -q 'left.pgm: [0-9][0-9]*.[0-9] % matched' out && ! grep -q 100.0 out
+say $? "leaves places that one camera alone sees"
+works "--no-fill, semi-global" left.pgm right.pgm --max-disparity 8 --no-fill -o opens.pgm
+[ "$(nothing opens.pgm)" -gt 0 ]; say $? "leaves them, too"
+works "--unique" left.pgm right.pgm --method block --max-disparity 8 --no-fill --unique 90 -o unique.pgm
+[ "$(nothing unique.pgm)" -gt "$(nothing open.pgm)" ]; say $? "leaves what is doubtful"
+works "--speckle" left.pgm right.pgm --method block --max-disparity 8 --speckle 801 -o specks.pgm
+[ "$(nothing specks.pgm)" -eq 800 ]; say $? "takes away what is smaller"
+# Red at 255 is the largest disparity; 3 of 6 is green, whatever is found.
+works "a preview of half" left.pgm right.pgm --method block --max-disparity 6 --preview half.ppm
+works "a preview of a little" left.pgm right.pgm --method block --max-disparity 30 --preview little.ppm
+middle() { tail -c 2400 "$1" | od -An -v -tu1 -w3 | sed -n 421p; } # the pixel at 20, 10
+[ "$(middle half.ppm | awk '{ print ($2 == 255 && $1 < 200 && $3 < 200) }')" = 1 ]; say $? "is green"
+[ "$(middle little.ppm | awk '{ print ($3 == 255 && $1 == 0) }')" = 1 ]; say $? "is blue"
 works "-o -" left.pgm right.pgm --method block --max-disparity 8 -o -
 cmp -s out wanted; say $? "disparities on standard output alone"
 works "--help" --help
@@ -53,6 +69,11 @@ refuses "no disparities" 2 'max-disparity' left.pgm right.pgm --max-disparity 0
 refuses "too many disparities" 2 'max-disparity' left.pgm right.pgm --max-disparity 256
 refuses "no such scale" 2 'scale: .*not 3' left.pgm right.pgm --method quadtree --scale 3
 refuses "scale of another method" 2 'quadtree' left.pgm right.pgm --scale 2
+refuses "--no-fill of a quadtree" 2 'no-fill.*block and semiglobal' left.pgm right.pgm --method quadtree --no-fill
+refuses "more than unique" 2 'unique' left.pgm right.pgm --unique 100
+refuses "a negative area" 2 'speckle' left.pgm right.pgm --speckle=-1
+refuses "one name for two" 2 'same.pgm: is named for two' left.pgm right.pgm -o same.pgm --preview same.pgm
+refuses "a scale of no depth" 2 'depth-scale: is of --depth' left.pgm right.pgm --depth-scale 2 --calib none.pair
 refuses "scale of depths" 2 'calib: .*scale' left.pgm right.pgm --method quadtree --scale 2 --calib none.pair
 refuses "no such side" 2 "of: .*not 'both'" left.pgm right.pgm --method quadtree --of both
 refuses "a BMP of 16 bits" 2 'd.bmp: .*pgm' left.pgm right.pgm -o d.bmp

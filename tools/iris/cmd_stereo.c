@@ -18,6 +18,7 @@
 
 static const char help[] =
     "usage: iris stereo LEFT RIGHT [--method block|quadtree|semiglobal] [--max-disparity N]\n"
+    "                   [--no-fill] [--unique PERCENT] [--speckle AREA]\n"
     "                   [--scale N] [--of left|right] [--planes]\n"
     "                   [-o DISPARITY] [--preview PICTURE] [--json]\n"
     "                   [--calib PAIR [--depth DEPTH] [--depth-scale N] [--points CLOUD.ply]]\n\n"
@@ -29,6 +30,13 @@ static const char help[] =
     "                       picture is even, in less time; semiglobal (the default):\n"
     "                       smooth surfaces with sharp edges, in about twice the time\n"
     "  --max-disparity N    of the nearest things, in pixels, 1 to 255 (default 63)\n"
+    "  --no-fill            block, semiglobal: what one camera alone sees, and what is doubtful, stays 0;\n"
+    "                       else it takes the disparity of what is beside it, the farther one\n"
+    "  --unique PERCENT     block, semiglobal: doubtful is, too, where the second best match is not worse "
+    "by\n"
+    "                       so many percent; 0 to 99 (default 0)\n"
+    "  --speckle AREA       block, semiglobal: pieces of fewer pixels, which differ from what is around by\n"
+    "                       more than one pixel, become 0 (default 0: none)\n"
     "  --scale N            quadtree: 1 (the default), 2, 4, 8, or 16: disparities of every Nth pixel of\n"
     "                       every Nth row, from pictures of that size: the larger, the quicker;\n"
     "                       they are those of the whole picture, in its pixels\n"
@@ -38,14 +46,16 @@ static const char help[] =
     "                       explains them worse: finer, in half as much time again\n"
     "  -o DISPARITY         a PGM of 16 bits: 256 for a pixel, 0 where there is no match; -: to standard\n"
     "                       output, and nothing else\n"
-    "  --preview PICTURE    the same in colors, from blue (far) to red (near); black: no match\n"
+    "  --preview PICTURE    the same in colors, from blue (far) to red (--max-disparity); black: no match\n"
     "  --json               one JSON object\n"
     "  --calib PAIR         the two cameras: a file of iris calibrate pair\n"
     "  --depth DEPTH        a PGM of 16 bits: how far each place is before the left camera, in the unit of\n"
     "                       the board that the pair was calibrated with (millimeters by --square 25mm); 0:\n"
-    "                       nobody knows\n"
-    "  --depth-scale N      N to a unit instead of one: 1000 for a board in meters; 1 to 65535\n"
-    "  --points CLOUD.ply   all places as points, in the unit, with gray levels: x right, y down, z forward\n"
+    "                       nobody knows, or more than 65535. Places that are filled are not known\n"
+    "                       (quadtree does not tell them)\n"
+    "  --depth-scale N      of --depth: N to a unit instead of one: 1000 for a board in meters; 1 to 65535\n"
+    "  --points CLOUD.ply   the same places as points, in the unit, with gray levels: x right, y down, z "
+    "forward\n"
     "                       of the left camera as it stands\n\n"
     "JSON has matched (the share of places that have a disparity), and the mean of these, least, and most\n"
     "disparities in pixels (null when there is none); with --calib also baseline, focal (pixels), u0 and v0\n"
@@ -55,8 +65,8 @@ static const char help[] =
 
 typedef struct {
     const char *left, *right, *method, *output, *preview, *of, *calib, *depth, *points;
-    int32_t max_disparity, scale, depth_scale;
-    int json, planes;
+    int32_t max_disparity, scale, depth_scale, unique, speckle;
+    int json, planes, no_fill;
 } wishes;
 
 typedef struct {
@@ -73,6 +83,13 @@ typedef struct {
                          const iris_image *right, iris_scratch *scratch);
 } stereo_method;
 
+static void set_common(iris_stereo_config *config, const wishes *w)
+{
+    config->max_disparity = w->max_disparity;
+    config->uniqueness_percent = w->unique;
+    config->fill = !w->no_fill;
+}
+
 static size_t block_bytes(const wishes *w, iris_size size)
 {
     return IRIS_STEREO_BLOCK_SCRATCH_BYTES(size.w, w->max_disparity);
@@ -83,7 +100,7 @@ static iris_status block(const wishes *w, const iris_image *disparity, const iri
 {
     iris_stereo_block_config config;
     iris_stereo_block_defaults(&config);
-    config.stereo.max_disparity = w->max_disparity;
+    set_common(&config.stereo, w);
     return iris_stereo_block(disparity, left, right, &config, scratch);
 }
 
@@ -97,7 +114,7 @@ static iris_status semiglobal(const wishes *w, const iris_image *disparity, cons
 {
     iris_stereo_semiglobal_config config;
     iris_stereo_semiglobal_defaults(&config);
-    config.stereo.max_disparity = w->max_disparity;
+    set_common(&config.stereo, w);
     return iris_stereo_semiglobal(disparity, left, right, &config, scratch);
 }
 
@@ -193,7 +210,7 @@ static uint8_t shade(int32_t place, int32_t center)
     return (uint8_t)(level < 0 ? 0 : level > 255 ? 255 : level);
 }
 
-/* Blue, cyan, green, yellow, red: from 0 to `most`. */
+/* Blue, cyan, green, yellow, red: from 0 to `most`, pixels. */
 static int show(const char *path, const iris_image *disparity, int32_t most)
 {
     picture_buffer picture = {0};
@@ -207,7 +224,7 @@ static int show(const char *path, const iris_image *disparity, int32_t most)
         const uint16_t *row = iris_image_row(disparity, y);
         uint8_t *to = iris_image_row(&picture.image, y);
         for (int32_t x = 0; x < size.w; x++, to += 3) {
-            int32_t place = row[x] * 1023 / (most > 0 ? most : 1);
+            const int32_t part = row[x] * 4 / most, place = part < 1023 ? part : 1023; /* of 256ths */
             to[0] = row[x] ? shade(place, 896) : 0;
             to[1] = row[x] ? shade(place, 512) : 0;
             to[2] = row[x] ? shade(place, 128) : 0;
@@ -253,6 +270,9 @@ static void print(const wishes *w, const iris_image *disparity, const summary *s
         }
         if (space && stereo_depth_range(range, space)) {
             printf(", depths %.6g to %.6g", range[0], range[1]);
+        }
+        if (space && space->beyond > 0) {
+            printf(", %d beyond 65535 left out", (int)space->beyond);
         }
         putchar('\n');
         return;
@@ -309,54 +329,85 @@ static int is_output(const char *path)
     return path && strcmp(path, "-") == 0;
 }
 
+/* What is known of the places: disparities, and the same without those that are filled. */
+typedef struct {
+    const iris_image *disparity, *sure;
+} matched;
+
 /* Writes and prints what was found. made null: without --calib. */
-static int tell(const wishes *w, const iris_image *disparity, const iris_image *left,
-                const iris_rectified *made)
+static int tell(const wishes *w, const matched *found, const iris_image *left, const iris_rectified *made)
 {
-    summary s = summarize(disparity);
-    const stereo_space space = {made, disparity, left, w->depth_scale};
-    if ((w->output && !file_write(w->output, write_disparity, disparity)) ||
-        (w->preview && !show(w->preview, disparity, s.most)) ||
+    summary s = summarize(found->disparity);
+    stereo_space space = {made, found->sure, left, w->depth_scale, 0};
+    if ((w->output && !file_write(w->output, write_disparity, found->disparity)) ||
+        (w->preview && !show(w->preview, found->disparity, w->max_disparity)) ||
         (w->depth && !stereo_depth_write(w->depth, &space)) ||
         (w->points && !stereo_points_write(w->points, &space))) {
         return EXIT_BAD_DATA;
     }
     if (!is_output(w->output) && !is_output(w->depth) && !is_output(w->points)) {
-        print(w, disparity, &s, made ? &space : NULL);
+        print(w, found->disparity, &s, made ? &space : NULL);
     }
     return EXIT_DONE;
 }
 
-static int match(const wishes *w, const stereo_method *method, const iris_image *left,
-                 const iris_image *right, const iris_rectified *made)
+static iris_status take_specks(const wishes *w, const iris_image *disparity)
 {
-    picture_buffer disparity = {0};
+    const size_t bytes = IRIS_STEREO_SPECKLE_SCRATCH_BYTES(disparity->w, disparity->h);
+    void *memory = system_scratch(bytes);
     iris_scratch scratch;
-    iris_size size = {left->w, left->h};
-    if (right->w != size.w || right->h != size.h) {
-        complain(w->right, "%dx%d pixels, but the left picture has %dx%d: both must have one size",
-                 (int)right->w, (int)right->h, (int)size.w, (int)size.h);
-        return EXIT_BAD_DATA;
-    }
-    size_t bytes = method->bytes(w, size);
-    iris_size smaller = {(size.w + w->scale - 1) / w->scale, (size.h + w->scale - 1) / w->scale};
-    iris_status status = picture_reserve(&disparity, smaller, IRIS_GRAY_U16);
+    iris_status status = memory ? iris_scratch_init(&scratch, memory, bytes) : IRIS_ERR_SCRATCH;
+    status = status == IRIS_OK ? iris_stereo_speckle(disparity, w->speckle, 256, &scratch) : status;
+    free(memory);
+    return status;
+}
+
+static int find(picture_buffer *disparity, const wishes *w, const stereo_method *method,
+                const iris_image *left, const iris_image *right)
+{
+    iris_scratch scratch;
+    const iris_size size = {left->w, left->h};
+    const iris_size smaller = {(size.w + w->scale - 1) / w->scale, (size.h + w->scale - 1) / w->scale};
+    const size_t bytes = method->bytes(w, size);
+    iris_status status = picture_reserve(disparity, smaller, IRIS_GRAY_U16);
     void *memory = status == IRIS_OK ? system_scratch(bytes) : NULL;
     if (!memory) {
         complain(w->left, "%s", picture_problem(status == IRIS_OK ? IRIS_ERR_SCRATCH : status, size));
-        picture_free(&disparity);
-        return EXIT_BAD_DATA;
+        return 0;
     }
     iris_scratch_init(&scratch, memory, bytes);
-    status = method->match(w, &disparity.image, left, right, &scratch);
+    status = method->match(w, &disparity->image, left, right, &scratch);
     free(memory);
-    int exit_code = EXIT_BAD_DATA;
-    if (status == IRIS_OK) {
-        exit_code = tell(w, &disparity.image, left, made);
-    } else {
+    status = status == IRIS_OK && w->speckle > 0 ? take_specks(w, &disparity->image) : status;
+    if (status != IRIS_OK) {
         complain(w->left, "%s", iris_status_text(status));
     }
-    picture_free(&disparity);
+    return status == IRIS_OK;
+}
+
+/* Depths are of places that are not filled: where the map is to be filled, these are found once more. */
+static int match(const wishes *w, const stereo_method *method, const iris_image *left,
+                 const iris_image *right, const iris_rectified *made)
+{
+    picture_buffer pictures[2];
+    wishes sure = *w;
+    const int both = !w->no_fill && (w->depth || w->points) && strcmp(w->method, "quadtree") != 0;
+    memset(pictures, 0, sizeof pictures);
+    if (right->w != left->w || right->h != left->h) {
+        complain(w->right, "%dx%d pixels, but the left picture has %dx%d: both must have one size",
+                 (int)right->w, (int)right->h, (int)left->w, (int)left->h);
+        return EXIT_BAD_DATA;
+    }
+    sure.no_fill |= both;
+    int exit_code = EXIT_BAD_DATA;
+    if (find(&pictures[0], &sure, method, left, right) &&
+        (!both || !(w->output || w->preview) || find(&pictures[1], w, method, left, right))) {
+        const iris_image *second = pictures[1].image.data ? &pictures[1].image : &pictures[0].image;
+        const matched found = {second, &pictures[0].image};
+        exit_code = tell(w, &found, left, made);
+    }
+    picture_free(&pictures[0]);
+    picture_free(&pictures[1]);
     return exit_code;
 }
 
@@ -387,6 +438,10 @@ static int check_windows(const wishes *w)
         complain(NULL, "--scale, --of, and --planes are for --method quadtree");
         return 0;
     }
+    if ((w->no_fill || w->unique > 0 || w->speckle > 0) && strcmp(w->method, "quadtree") == 0) {
+        complain(NULL, "--no-fill, --unique, and --speckle are for --method block and semiglobal");
+        return 0;
+    }
     if (1 << level_of(w->scale) != w->scale) {
         complain("--scale", "1, 2, 4, 8, or 16, not %d", (int)w->scale);
         return 0;
@@ -398,6 +453,24 @@ static int check_windows(const wishes *w)
     if (w->calib && (w->scale != 1 || w->of)) {
         complain("--calib", "depths are those of the whole left picture: no --scale, no --of");
         return 0;
+    }
+    return 1;
+}
+
+static int check_names(const wishes *w, const char *depth_scale)
+{
+    const char *const names[] = {w->output, w->preview, w->depth, w->points};
+    if (depth_scale && !w->depth) {
+        complain("--depth-scale", "is of --depth, which is missing");
+        return 0;
+    }
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < i; k++) {
+            if (names[i] && names[k] && !is_output(names[i]) && strcmp(names[i], names[k]) == 0) {
+                complain(names[i], "is named for two outputs: give each a name of its own");
+                return 0;
+            }
+        }
     }
     return 1;
 }
@@ -433,13 +506,22 @@ static int check_files(const wishes *w)
 int cmd_stereo(int argc, char **argv)
 {
     wishes w = {.method = "semiglobal", .max_disparity = 63, .scale = 1, .depth_scale = 1};
-    const char *most = NULL, *scale = NULL, *depth_scale = NULL;
-    const args_option options[] = {{"method", 0, NULL, &w.method},   {"max-disparity", 0, NULL, &most},
-                                   {"scale", 0, NULL, &scale},       {"of", 0, NULL, &w.of},
-                                   {"planes", 0, &w.planes, NULL},   {"output", 'o', NULL, &w.output},
-                                   {"preview", 0, NULL, &w.preview}, {"calib", 0, NULL, &w.calib},
-                                   {"depth", 0, NULL, &w.depth},     {"depth-scale", 0, NULL, &depth_scale},
-                                   {"points", 0, NULL, &w.points},   {"json", 0, &w.json, NULL}};
+    const char *most = NULL, *scale = NULL, *depth_scale = NULL, *unique = NULL, *speckle = NULL;
+    const args_option options[] = {{"method", 0, NULL, &w.method},
+                                   {"max-disparity", 0, NULL, &most},
+                                   {"scale", 0, NULL, &scale},
+                                   {"of", 0, NULL, &w.of},
+                                   {"no-fill", 0, &w.no_fill, NULL},
+                                   {"unique", 0, NULL, &unique},
+                                   {"speckle", 0, NULL, &speckle},
+                                   {"planes", 0, &w.planes, NULL},
+                                   {"output", 'o', NULL, &w.output},
+                                   {"preview", 0, NULL, &w.preview},
+                                   {"calib", 0, NULL, &w.calib},
+                                   {"depth", 0, NULL, &w.depth},
+                                   {"depth-scale", 0, NULL, &depth_scale},
+                                   {"points", 0, NULL, &w.points},
+                                   {"json", 0, &w.json, NULL}};
     arguments args = {help, options, sizeof options / sizeof options[0], NULL, 0};
     int exit_code = args_parse(&args, argc, argv);
     if (exit_code != ARGS_GO) {
@@ -447,6 +529,8 @@ int cmd_stereo(int argc, char **argv)
     }
     const args_whole wholes[] = {{"--max-disparity", most, &w.max_disparity, 1, IRIS_STEREO_DISPARITY_MAX},
                                  {"--scale", scale, &w.scale, 1, 16},
+                                 {"--unique", unique, &w.unique, 0, 99},
+                                 {"--speckle", speckle, &w.speckle, 0, INT32_MAX},
                                  {"--depth-scale", depth_scale, &w.depth_scale, 1, 65535}};
     if (args.operand_count != 2) {
         complain(NULL, "two pictures are expected: LEFT RIGHT (see --help)");
@@ -455,7 +539,8 @@ int cmd_stereo(int argc, char **argv)
     w.left = args.operands[0];
     w.right = args.operands[1];
     const stereo_method *method = method_of(w.method);
-    if (!method || !args_wholes(wholes, 3) || !check_windows(&w) || !check_files(&w)) {
+    if (!method || !args_wholes(wholes, 5) || !check_windows(&w) || !check_files(&w) ||
+        !check_names(&w, depth_scale)) {
         return EXIT_BAD_CALL;
     }
     return run(&w, method);

@@ -43,7 +43,7 @@ static int write_depth(FILE *file, const void *user)
     return iris_pnm_write(sink, user) == IRIS_OK && fflush(file) == 0;
 }
 
-int stereo_depth_write(const char *path, const stereo_space *space)
+int stereo_depth_write(const char *path, stereo_space *space)
 {
     picture_buffer depth = {0};
     const iris_size size = {space->disparity->w, space->disparity->h};
@@ -52,12 +52,14 @@ int stereo_depth_write(const char *path, const stereo_space *space)
         complain(path, "%s", picture_problem(status, size));
         return 0;
     }
+    space->beyond = 0;
     for (int32_t y = 0; y < size.h; y++) {
         uint16_t *to = iris_image_row(&depth.image, y);
         for (int32_t x = 0; x < size.w; x++) {
             const double units = depth_at(space, x, y) * space->per_unit;
-            const int known = units > 0;
-            to[x] = (uint16_t)(!known ? 0 : units >= 65535 ? 65535 : units < 1 ? 1 : units + 0.5);
+            const int known = units > 0, beyond = units >= 65535.5;
+            to[x] = (uint16_t)(!known || beyond ? 0 : units < 1 ? 1 : units + 0.5);
+            space->beyond += beyond;
         }
     }
     int done = file_write(path, write_depth, &depth.image);
