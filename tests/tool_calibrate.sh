@@ -22,6 +22,9 @@ near M 100 0.0001; near K 100 0.0001; near R 1 0.00001; near t 0 0.00001; near c
 sed '5s/^[^,]*/400/; 9s/^[^,]*/-77/' image.txt > wrong.txt
 works "scene with wrong points" scene space.txt wrong.txt
 grep -q 'far off and left out: line 5, 9$' out; say $? "names them"
+awk 'BEGIN { for (i = 0; i < 20; i++) { x = (i * 7) % 5 - 2; y = (i * 3) % 7 - 3; z = (i * 11) % 6 - 2; bad = i % 5 == 1 || i % 5 == 3
+    print x, y, z > "s20.txt"; print bad ? i * 37 % 100 : 50 + 100 * x / (z + 10), bad ? i * 53 % 90 : 40 + 100 * y / (z + 10) > "i20.txt" } }'
+refuses "eight wrong points of twenty" 1 "s20.txt: .*; or too many points disagree: at most three of ten" scene s20.txt i20.txt
 run scene - image.txt < space.txt
 printf '1 2 3\n4 5\n' > short.txt
 refuses "two numbers" 1 "short.txt: line 2: expected are 3 numbers" scene short.txt image.txt
@@ -81,10 +84,20 @@ near fx 600 0.001
 awk '{ print $1 + 3 * (NR % 2), $2 }' view3.txt > rough.txt
 works "a view that does not fit" board --board 8x6 --corners view0.txt view1.txt view2.txt view4.txt rough.txt view0.txt view1.txt view2.txt view4.txt view0.txt view1.txt view2.txt view4.txt
 grep -q '^rough.txt does not fit the other views: ' out && ! grep -q '^good' out; say $? "is told"
+for v in 0 1 2 3 4; do echo "# view$v.pgm"; cat view$v.txt; done > all.txt
+works "several lists in a file" board --board 8x6 --square 25mm --corners --json all.txt
+near fx 600 0.001; grep -q '"file":"all.txt, list 5"' out; say $? "views of it are named"
+sed 30d all.txt > odd.txt
+refuses "a list too short among them" 1 "odd.txt: 239 corners, but the board has 48" board --board 8x6 --corners odd.txt
+sed '7s/.*/1e8 20/' view2.txt > huge.txt
+refuses "absurd numbers" 1 "huge.txt: line 7: no corner of a picture is at 1e.08 20" board --board 8x6 --corners view0.txt view1.txt huge.txt
+sed '7s/.*/700 20/' view2.txt > wide.txt
+refuses "a corner outside of the picture" 1 "wide.txt: line 7: no corner of a picture of --image-size is at 700 20" board --board 8x6 --image-size 640x480 --corners view0.txt view1.txt wide.txt
 works "a large picture" board --board 8x6 --image-size 1600x1200 --corners view?.txt
 grep -q 'cover little of the picture' out; say $? "is covered little"
 awk 'BEGIN { for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) print 100 + 40 * i, 100 + 40 * j }' > facing.txt
 refuses "a board that faces the camera" 1 "calibrate: the board faces the camera in all views" board --board 8x6 --corners facing.txt facing.txt
+refuses "one view that does" 1 "facing.txt: one view, .* is too few: add views" board --board 8x6 --corners facing.txt
 head -47 view0.txt > few.txt
 refuses "a corner too few" 1 "few.txt: 47 corners, but the board has 48" board --board 8x6 --corners view1.txt few.txt
 sort -n view0.txt > sorted.txt
@@ -148,6 +161,12 @@ grep -q '^ahead.txt: the camera moves to what is at 399.50 199.50 ' out && grep 
 say $? "in words"
 works "translation --json" translation --json ahead.txt
 near x 399.5 0.001; near y 199.5 0.001; grep -q '"moves":"to","deviation_x":' out; say $? "--json: its keys"
+matches 0 0 0 30 -40 0 > side.txt; matches 0 0 0 -50 0 0 > left.txt
+works "sideways" translation --image-size 640x480 side.txt left.txt
+grep -Eq '^side.txt: the camera moves sideways, .*: -0.(600|599)[0-9]* to the right, 0.(800|799)[0-9]* down' out && grep -Eq '^left.txt: .*: (1.000|0.999)[0-9]* to the right, -?0.000' out && ! grep -q 214748 out
+say $? "which way"
+works "sideways --json" translation --json side.txt
+grep -q '"x":null,"y":null,' out; say $? "has no place"
 refuses "a turn is no translation" 1 "no such motion" translation roll.txt
 refuses "no translation" 1 "hardly moves" translation still.txt
 # A robot whose camera looks ahead, 30 degrees down, at its middle: it drives 150 mm, and turns by 15 degrees to the left.

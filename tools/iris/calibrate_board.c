@@ -33,7 +33,8 @@ static const char help[] =
     "                   apart as that; the half step is the square\n"
     "  --square SIZE    of the board's squares: 25mm, 2.5cm, 0.025m, 1in, or 25 of no unit. Default: 1\n"
     "  --points FILE    any other board: a point per line, x y, in any unit\n"
-    "  --corners        the files are lists of corners: x y in pixels, in the board's order, row by row\n"
+    "  --corners        the files are lists of corners: x y in pixels, in the board's order, row by row;\n"
+    "                   a file may have several, as iris corners writes of several pictures\n"
     "  --model TERMS    what is looked for beside focal lengths, principal point, k1, and k2: any of\n"
     "                   skew, k3, and tangential, with commas between, or none. Default: k3,tangential\n"
     "  --image-size WxH of the pictures behind lists of corners, to tell how much of them is covered\n"
@@ -47,7 +48,8 @@ static const char help[] =
     "list of sentences; empty: nothing is to be said against it), and views: file, rms_px, turn (a vector\n"
     "in radians) and shift, which bring the board's points to the camera, and corners.\n\n"
     "example: iris calibrate board --board 9x6 --square 25mm left*.pgm -o left.camera\n"
-    "         iris calibrate board --board 9x6 --square 25mm --corners left*_corners.txt\n";
+    "         iris corners --board 9x6 left*.pgm > left_corners.txt\n"
+    "         iris calibrate board --board 9x6 --square 25mm --corners left_corners.txt\n";
 
 #define POINTS BOARD_OPTION_POINTS /* of a board */
 
@@ -119,18 +121,63 @@ static int add_view(session *s, char *file, const iris_vec2 *corners)
     return 1;
 }
 
+/* No picture shows corners there; 0, and complains, when one is. */
+static int check_list(const session *s, const char *name, const iris_vec2 *corners, const int *lines)
+{
+    const iris_size *size = &s->config.size;
+    const int32_t w = size->w > 0 ? size->w : IRIS_SIDE_MAX, h = size->w > 0 ? size->h : IRIS_SIDE_MAX;
+    for (int i = 0; i < s->points; i++) {
+        const iris_vec2 at = corners[i];
+        const int inside = at.x >= -IRIS_Q32_ONE && at.x <= w * IRIS_Q32_ONE && at.y >= -IRIS_Q32_ONE &&
+                           at.y <= h * IRIS_Q32_ONE;
+        if (!inside && (size->w > 0 || at.x < -w * IRIS_Q32_ONE || at.x > w * IRIS_Q32_ONE ||
+                        at.y < -h * IRIS_Q32_ONE || at.y > h * IRIS_Q32_ONE)) {
+            complain(
+                name, "line %d: no corner of a picture%s is at %.6g %.6g: correct it, or leave this view out",
+                lines[i], size->w > 0 ? " of --image-size" : "", calibrate_real(at.x), calibrate_real(at.y));
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int take_list(session *s, char *name, const iris_vec2 *corners, const int *lines)
+{
+    if (s->count == IRIS_BOARD_VIEWS_MAX) {
+        complain(name, "more than %d views in all", IRIS_BOARD_VIEWS_MAX);
+        return 0;
+    }
+    return check_list(s, name, corners, lines) && add_view(s, name, corners);
+}
+
+/* One list or several of a file, each of as many corners as the board has. */
 static int read_list(session *s, char *file)
 {
-    static iris_vec2 corners[POINTS];
-    number_table table = {&corners[0].x, NULL, 0, POINTS, 2};
+    static iris_vec2 corners[POINTS * IRIS_BOARD_VIEWS_MAX];
+    static int lines[POINTS * IRIS_BOARD_VIEWS_MAX];
+    number_table table = {&corners[0].x, lines, 0, POINTS * IRIS_BOARD_VIEWS_MAX, 2};
     if (!number_file_read(&table, file)) {
         return 0;
     }
-    if (table.rows != s->points) {
+    if (s->points == 0 || table.rows == 0 || table.rows % s->points != 0) {
         complain(file, "%d corners, but the board has %d", table.rows, s->points);
         return 0;
     }
-    return add_view(s, file, corners);
+    const int lists = table.rows / s->points;
+    for (int i = 0; i < lists; i++) {
+        const size_t bytes = strlen(file) + 32;
+        char *name = lists > 1 ? malloc(bytes) : file; /* until the program ends */
+        if (name && lists > 1) {
+            snprintf(name, bytes, "%s, list %d", file, i + 1);
+        }
+        if (!name || !take_list(s, name, corners + i * s->points, lines + i * s->points)) {
+            if (lists > 1) {
+                free(name);
+            }
+            return 0;
+        }
+    }
+    return 1;
 }
 
 /* Finds the board in a picture. */
@@ -183,6 +230,12 @@ static void complain_flaw(const session *s)
         [IRIS_BOARD_IN_LINE] = "the corners are on one line, or at fewer than four places",
         [IRIS_BOARD_FACING] = "the board faces the camera in all views: tilt it, by 30 degrees or more",
         [IRIS_BOARD_BEHIND] = "no camera sees the corners so: are they in the board's order?"};
+    if (s->fit.flaw == IRIS_BOARD_FACING && s->count == 1) {
+        complain(s->files[0],
+                 "one view, in which the board is tilted little, is too few: add views that tilt it by "
+                 "30 degrees or more, this way and that");
+        return;
+    }
     complain(s->fit.flawed >= 0 ? s->files[s->fit.flawed] : NULL, "%s", said[s->fit.flaw]);
 }
 

@@ -422,12 +422,35 @@ int calibrate_motion(int argc, char **argv)
     return finish(&s, &t, iris_motion_calibrate(&s.fit, s.pairs, s.count, &s.config, &scratch));
 }
 
+/* So far off that a picture has no such place: the camera moves along it. */
+static int is_sideways(const iris_translation_fit *fit)
+{
+    const double most = 1e6, x = fabs(calibrate_real(fit->pixel.x)), y = fabs(calibrate_real(fit->pixel.y));
+    return fit->focus.z == 0 || x > most || y > most;
+}
+
+/* Where to, in words. */
+static void print_focus(const char *path, const iris_translation_fit *fit)
+{
+    one_line(stdout, path);
+    if (is_sideways(fit)) {
+        printf(": the camera moves sideways, along the picture: %.6f to the right, %.6f down, of 1 in all; "
+               "off by %.4f "
+               "pixels\n",
+               calibrate_real(fit->focus.x), calibrate_real(fit->focus.y), calibrate_real(fit->rms));
+        return;
+    }
+    printf(": the camera moves %s what is at %.2f %.2f (+- %.2g %.2g), off by %.4f pixels\n",
+           fit->ahead ? "to" : "away from", calibrate_real(fit->pixel.x), calibrate_real(fit->pixel.y),
+           calibrate_real(fit->deviation.x), calibrate_real(fit->deviation.y), calibrate_real(fit->rms));
+}
+
 static void print_focus_json(json_writer *json, const char *path, const iris_translation_fit *fit)
 {
     json_open(json, '{');
     json_key(json, "file");
     json_string(json, path);
-    if (fit->focus.z == 0) {
+    if (is_sideways(fit)) {
         json_key(json, "x");
         json_null(json);
         json_key(json, "y");
@@ -482,11 +505,7 @@ int calibrate_translation(int argc, char **argv)
             print_focus_json(&json, s.files[v], &fits[v]);
             continue;
         }
-        one_line(stdout, s.files[v]);
-        printf(": the camera moves %s what is at %.2f %.2f (+- %.2g %.2g), off by %.4f pixels\n",
-               fits[v].ahead ? "to" : "away from", calibrate_real(fits[v].pixel.x),
-               calibrate_real(fits[v].pixel.y), calibrate_real(fits[v].deviation.x),
-               calibrate_real(fits[v].deviation.y), calibrate_real(fits[v].rms));
+        print_focus(s.files[v], &fits[v]);
     }
     if (t.json) {
         json_close(&json, ']');

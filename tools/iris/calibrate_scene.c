@@ -65,7 +65,10 @@ static void complain_flaw(const char *path, const scene *s)
             "no camera sees these points so: are the lines of both files in the same order?",
         [IRIS_SCENE_MIRRORED] =
             "only a mirror shows these points so: y points down in the picture, and space is right-handed"};
-    complain(path, "%s (%d %s)", said[s->fit.flaw], (int)s->count, s->count == 1 ? "point" : "points");
+    const int may_disagree = s->count >= 12 && s->fit.flaw >= IRIS_SCENE_UNDETERMINED;
+    complain(path, "%s%s (%d %s)", said[s->fit.flaw],
+             may_disagree ? "; or too many points disagree: at most three of ten may be wrong" : "",
+             (int)s->count, s->count == 1 ? "point" : "points");
 }
 
 /* The translation: -R times the center. */

@@ -13,12 +13,13 @@ static const char help[] =
     "iris calibrate board --corners reads them. 0 0 is the middle of the first pixel. Color counts by its\n"
     "luma. Along a row and then down the rows is a turn as from right to down in the picture. The first\n"
     "row begins where the square between the first four corners is dark, or else more to the left. With\n"
-    "several pictures, a line with # and the file's name comes first.\n\n"
+    "several pictures, a line with # and the file's name comes first; calibrate takes all in one file.\n\n"
     "  --board CxR       inner corners in a row, and rows: 9x6. Each is 3 at least\n" BOARD_OPTION_HELP
         OPERATION_OPTIONS "\n"
     "A picture in which the board is not seen as a whole is told with the reason. JSON has corners: [x,y]\n"
     "of each. With -o they are drawn in color: the first row, and where it begins, stand out.\n\n"
-    "example: iris corners --board 9x6 left01.pgm > left01_corners.txt\n";
+    "example: iris corners --board 9x6 left*.pgm > left_corners.txt\n"
+    "         iris calibrate board --board 9x6 --square 25mm --corners left_corners.txt\n";
 
 typedef struct {
     board_option board;
