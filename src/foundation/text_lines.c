@@ -220,8 +220,13 @@ iris_status iris_text_read(void *content, iris_text_source *source, const iris_t
     iris_text_lines r = {.next = text, .text_end = bytes > 0 ? text + bytes : text};
     int64_t version = 1;
     iris_status status = IRIS_OK;
-    for (int i = 0; i < form->lines + 2 && status == IRIS_OK; i++) {
-        if (!iris_text_next_line(&r)) {
+    source->has_check = 1;
+    for (int i = 0; i < form->lines + 2 && status == IRIS_OK && source->has_check; i++) {
+        const int whole = i == form->lines + 1 && r.next > text && r.next[-1] == '\n'; /* but for the check */
+        const int found = iris_text_next_line(&r);
+        if (!found && whole) {
+            source->has_check = 0;
+        } else if (!found) {
             r.line += r.line < INT32_MAX;
             status = IRIS_ERR_TRUNCATED;
         } else if (!take_line(content, &version, &source->check, form, &r, i)) {

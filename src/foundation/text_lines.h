@@ -46,7 +46,7 @@ typedef struct {
 
 iris_status iris_text_finish(char *text, size_t capacity, size_t *length, const iris_text_made *of);
 
-/* A kind of text: "iris KIND 1", lines of its own, and the check. */
+/* A kind of text: "iris KIND 1", lines of its own, and the check, which a text that people write need not have. */
 typedef struct {
     const char *kind;
     int lines;                                             /* of its own, of those that count */
@@ -57,10 +57,11 @@ typedef struct {
     const char *text;
     size_t bytes;
     uint32_t check; /* what its last line says, for the caller to compare */
+    int has_check;  /* 0: there is no such line, and the one before ends with a line break: it is whole */
     int32_t line;   /* that was looked at last, from 1 */
 } iris_text_source;
 
-/* Reads a whole text of any content; a 0 at its end is no part of it. Sets check and line. IRIS_ERR_UNSUPPORTED: a later
+/* Reads a whole text of any content; a 0 at its end is no part of it. Sets check, has_check, and line. IRIS_ERR_UNSUPPORTED: a later
  * version; IRIS_ERR_TRUNCATED: the text ends early; IRIS_ERR_DATA: anything else. */
 iris_status iris_text_read(void *content, iris_text_source *source, const iris_text_form *form);
 

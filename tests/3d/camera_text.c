@@ -80,10 +80,29 @@ static void by_hand(void **state)
     assert_int_equal(iris_camera_write_text(text, length, &length, &m), IRIS_ERR_RANGE);
 }
 
+/* What a person writes, from OpenCV's numbers: no check. */
+static void without_a_check(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "iris camera 1\nsize 640 480\nfocal 532.5 533.25\nskew 0\ncenter 342.5 233.75\n"
+        "lens bends\nradial -0.25 0.5 0\ntangential 0.125 0\ndecentering 0 0\n";
+    iris_camera_model m;
+    int32_t line = 0;
+    assert_int_equal(iris_camera_read_text(&m, &line, text, sizeof text - 1), IRIS_OK);
+    assert_true(m.size.w == 640 && m.size.h == 480 && m.intrinsics.alpha_u == IRIS_Q32_ONE * 1065 / 2 &&
+                m.intrinsics.alpha_v == IRIS_Q32_ONE * 2133 / 4 &&
+                m.intrinsics.u0 == IRIS_Q32_ONE * 685 / 2 && m.lens.k1 == -IRIS_Q32_ONE / 4 &&
+                m.lens.p1 == IRIS_Q32_ONE / 8);
+    for (size_t i = 0; i < sizeof text - 1; i++) {
+        assert_int_not_equal(iris_camera_read_text(&m, &line, text, i), IRIS_OK);
+    }
+}
+
 static void refused(void **state)
 {
     (void)state;
-    iris_camera_model m = random_model(), before = m;
+    iris_camera_model m = random_model(), before = m, read_again;
     char text[IRIS_CAMERA_TEXT_BYTES], bad[IRIS_CAMERA_TEXT_BYTES];
     size_t length = 0;
     int32_t line = 1;
@@ -96,7 +115,8 @@ static void refused(void **state)
         same += read; /* the last of ten digits, 10^-10, need not tell 2^-32 */
         assert_true(line >= 1 && line <= 10 &&
                     (!read || memcmp(&m.intrinsics, &before.intrinsics, sizeof m.intrinsics) == 0));
-        assert_int_not_equal(iris_camera_read_text(&m, &line, text, i), IRIS_OK);
+        const int whole = text + i == strstr(text, "check "); /* without the check */
+        assert_int_equal(iris_camera_read_text(&read_again, &line, text, i) == IRIS_OK, whole);
     }
     assert_true(same <= 12 && m.lens.k1 == before.lens.k1 && m.lens.p2 == before.lens.p2);
     before = m;
@@ -125,6 +145,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(round_trips),
         cmocka_unit_test(by_hand),
+        cmocka_unit_test(without_a_check),
         cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -12,7 +12,9 @@
  *     check 09AF31C7                                over all numbers
  *
  * Numbers have ten digits behind the point, by which they are read again bit by bit. Empty lines, spaces, and what
- * stands behind a # do not count.
+ * stands behind a # do not count. A text that is written by hand, from a data sheet or another program's calibration, goes
+ * without the line of the check: its last line ends with a line break then, so that one that was cut is known. OpenCV's
+ * terms are these: focal fx fy, center cx cy, lens bends, radial k1 k2 k3, tangential p1 p2, and 0 for the others.
  */
 #ifndef IRIS_3D_CAMERA_TEXT_H
 #define IRIS_3D_CAMERA_TEXT_H
@@ -44,7 +46,7 @@ iris_status iris_camera_write_text(char *text, size_t capacity, size_t *length,
 /* Reads `bytes` bytes of any content; a 0 at their end is no part of the text.
  * IRIS_ERR_ARG: null pointer. The others set *line, the line that is wrong, from 1, and nothing else:
  * IRIS_ERR_UNSUPPORTED: a later version; IRIS_ERR_TRUNCATED: the text ends early; IRIS_ERR_DATA: anything else, a
- * wrong check among them. O(bytes). */
+ * wrong check among them. A text without the line of the check is good. O(bytes). */
 iris_status iris_camera_read_text(iris_camera_model *model, int32_t *line, const char *text, size_t bytes);
 
 #ifdef __cplusplus

@@ -123,7 +123,8 @@ iris_status iris_floor_foot(iris_place *mm, const iris_floor *floor, iris_rect b
  *     0 21474836 4294967296
  *     check 09AF31C7                   over the size and the nine numbers
  *
- * Empty lines, spaces, and what stands behind a # do not count. */
+ * Empty lines, spaces, and what stands behind a # do not count. A text that is written by hand goes without the line of
+ * the check: the line before ends with a line break then. */
 #define IRIS_FLOOR_TEXT_BYTES 288 /* enough for every floor, with the 0 at the end */
 
 /* *length: without the 0. IRIS_ERR_ARG: null pointer; IRIS_ERR_RANGE: more than `capacity` bytes, or not a floor that

@@ -128,8 +128,9 @@ iris_status iris_camera_read_text(iris_camera_model *model, int32_t *line, const
     iris_camera_content c = {.w = 0};
     iris_text_source source = {.text = text, .bytes = bytes};
     iris_status status = iris_text_read(&c, &source, &form);
-    if (status == IRIS_OK && (source.check != iris_camera_content_check(IRIS_TEXT_CHECK, &c) ||
-                              !iris_camera_content_model(&made, &c))) {
+    if (status == IRIS_OK &&
+        ((source.has_check && source.check != iris_camera_content_check(IRIS_TEXT_CHECK, &c)) ||
+         !iris_camera_content_model(&made, &c))) {
         status = IRIS_ERR_DATA;
     }
     if (status == IRIS_OK) {

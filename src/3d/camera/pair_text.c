@@ -87,9 +87,9 @@ iris_status iris_pair_read_text(iris_pair *pair, int32_t *line, const char *text
     content c = {.numbers = {0}};
     iris_text_source source = {.text = text, .bytes = bytes};
     iris_status status = iris_text_read(&c, &source, &form);
-    if (status == IRIS_OK &&
-        (source.check != check_of(&c) || !iris_camera_content_model(&left, &c.cameras[0]) ||
-         !iris_camera_content_model(&right, &c.cameras[1]))) {
+    if (status == IRIS_OK && ((source.has_check && source.check != check_of(&c)) ||
+                              !iris_camera_content_model(&left, &c.cameras[0]) ||
+                              !iris_camera_content_model(&right, &c.cameras[1]))) {
         status = IRIS_ERR_DATA;
     }
     if (status == IRIS_OK) {

@@ -63,8 +63,8 @@ iris_status iris_floor_read_text(iris_floor *floor, int32_t *line, const char *t
     iris_text_source source = {.text = text, .bytes = bytes};
     iris_status status = iris_text_read(&c, &source, &form);
     const iris_size size = {(int32_t)c.w, (int32_t)c.h};
-    if (status == IRIS_OK &&
-        (source.check != check_of(size, c.m) || iris_floor_init(floor, size, c.m) != IRIS_OK)) {
+    if (status == IRIS_OK && ((source.has_check && source.check != check_of(size, c.m)) ||
+                              iris_floor_init(floor, size, c.m) != IRIS_OK)) {
         status = IRIS_ERR_DATA;
     }
     if (status != IRIS_OK) {
