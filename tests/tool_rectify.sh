@@ -86,6 +86,17 @@ works "rectify --keep all" rectify left.pgm right.pgm --calib rig.pair --keep al
 [ "$(sed 's/.*"focal":\([0-9]*\).*/\1/' out)" -lt "${focal%.*}" ]; say $? "shows more"
 works "rectified again" rectify flat/left.pgm flat/right.pgm --calib flat/rectified.pair -o again
 cmp -s flat/left.pgm again/left.pgm && cmp -s flat/right.pgm again/right.pgm; say $? "is the same"
+# On to disparities and a map: the pair's own baseline is as good as the same one said.
+echo 0 0 0 > one.txt
+works "stereo of what is flat" stereo flat/left.pgm flat/right.pgm -o flat/d.pgm
+works "a map by the rectified pair" map flat/d.pgm --camera flat/rectified.pair --poses one.txt --json
+cp out by.pair
+works "the same with its baseline" map flat/d.pgm --camera flat/rectified.pair --baseline 20.04994 --poses one.txt --json
+cmp -s out by.pair; say $? "is the same"
+works "another baseline" map flat/d.pgm --camera flat/rectified.pair --baseline 400 --poses one.txt --json
+! cmp -s out by.pair; say $? "is another map"
+refuses "a map by a pair that is not rectified" 1 'rig.pair: this pair is not rectified: take the rectified.pair' map flat/d.pgm --camera rig.pair --poses one.txt
+refuses "a map by a camera with a lens" 1 'left.camera: this camera has a lens.*iris rectify' map flat/d.pgm --camera left.camera --baseline 20 --poses one.txt
 refuses "no pair file" 2 'LEFT RIGHT --calib PAIR' rectify left.pgm right.pgm
 refuses "one picture" 2 'LEFT RIGHT --calib PAIR' rectify left.pgm --calib rig.pair
 refuses "a camera file" 1 'left.camera: line 1: not a pair file' rectify left.pgm right.pgm --calib left.camera

@@ -20,16 +20,16 @@
 #include "system.h"
 
 static const char help[] =
-    "usage: iris map DEPTH... --camera CAMERA --poses POSES (--baseline MM | --depth) [--height MM]\n"
+    "usage: iris map DEPTH... --camera CAMERA --poses POSES [--baseline MM | --depth] [--height MM]\n"
     "                [--tilt DEG] [--ahead MM] [--band LOW,HIGH] [--far MM] [--cell MM]\n"
     "                [-o MAP.yaml] [--ply MODEL.ply] [--localize MAP.yaml] [--json]\n\n"
     "A map of the floor from pictures of disparities or depths and the poses that they were taken from;\n"
     "or, with --localize, the poses from such pictures, a map, and what odometry says.\n\n"
     "  DEPTH...         PGM of 16 bits, or folders of them: disparities as iris stereo -o writes them\n"
-    "  --camera CAMERA  as iris calibrate board -o writes it; the pictures are without lens (rectified)\n"
+    "  --camera CAMERA  of pictures without lens: the rectified.pair of iris rectify -o, or a camera file\n"
     "  --poses POSES    a text with a pose for each picture: x and y in millimeters, and the heading in\n"
     "                   degrees, counterclockwise from x; with --localize as odometry has them\n"
-    "  --baseline MM    between the two cameras of disparities\n"
+    "  --baseline MM    between the two cameras of disparities (default: that of the pair)\n"
     "  --depth          pictures have depths in millimeters instead\n"
     "  --height MM      of the camera above the floor (default 200)\n"
     "  --tilt DEG       how far it looks down, -80 to 80 (default 0)\n"
@@ -386,18 +386,62 @@ typedef struct {
     int depth;
 } texts;
 
+/* What a map cannot be made with. */
+static int check_camera(const iris_depth_camera *c, const iris_intrinsics *k, const wishes *w)
+{
+    const double product = (double)k->alpha_u / 4294967296.0 * c->baseline_q16 / 65536;
+    if (k->alpha_u < IRIS_Q32_ONE || k->alpha_u > 32000 * IRIS_Q32_ONE) {
+        complain(w->camera_path, "a focal length of %.6g pixels: from 1 to 32000 can be used",
+                 (double)k->alpha_u / 4294967296.0);
+        return 0;
+    }
+    if (c->kind == IRIS_DEPTH_DISPARITY && (product < 1 || product >= 8388608)) {
+        complain(w->camera_path, "the focal length times the baseline, %.6g, is to be from 1 to 8388607",
+                 product);
+        return 0;
+    }
+    return 1;
+}
+
+/* The distance of the cameras: what was said, else the pair's. */
+static int take_baseline(wishes *w, const texts *t, iris_q32 pair_mm)
+{
+    if (t->baseline || t->depth) {
+        return EXIT_DONE;
+    }
+    if (pair_mm == 0) {
+        complain(NULL,
+                 "one of --baseline MM and --depth is needed, or a rectified pair as CAMERA (see --help)");
+        return EXIT_BAD_CALL;
+    }
+    if (pair_mm < IRIS_Q32_ONE || pair_mm > 1000 * IRIS_Q32_ONE) {
+        complain(w->camera_path,
+                 "its cameras are %.6g apart, but 1 to 1000 millimeters are expected: was the "
+                 "board measured in another unit? Say --baseline MM",
+                 (double)pair_mm / 4294967296.0);
+        return EXIT_BAD_DATA;
+    }
+    w->camera.baseline_q16 = (iris_q16)(pair_mm >> 16);
+    return EXIT_DONE;
+}
+
 static int read_camera(wishes *w, const texts *t)
 {
     iris_camera_model model;
-    if (!camera_file_read(&model, w->camera_path)) {
-        return 0;
+    iris_q32 pair_mm;
+    if (!flat_camera_read(&model, &pair_mm, w->camera_path)) {
+        return EXIT_BAD_DATA;
+    }
+    const int exit_code = take_baseline(w, t, pair_mm);
+    if (exit_code != EXIT_DONE) {
+        return exit_code;
     }
     const iris_intrinsics *k = &model.intrinsics;
     iris_depth_camera *c = &w->camera;
     const iris_depth_camera wanted = *c;
-    if (k->alpha_u > 32000 * IRIS_Q32_ONE) {
-        complain(w->camera_path, "the focal length is too long");
-        return 0;
+    c->kind = t->depth ? IRIS_DEPTH_MM : IRIS_DEPTH_DISPARITY;
+    if (!check_camera(c, k, w)) {
+        return EXIT_BAD_DATA;
     }
     iris_depth_camera_defaults(c, model.size, (iris_q16)(k->alpha_u >> 16), wanted.baseline_q16);
     c->kind = t->depth ? IRIS_DEPTH_MM : IRIS_DEPTH_DISPARITY;
@@ -413,7 +457,7 @@ static int read_camera(wishes *w, const texts *t)
     if (t->depth) {
         c->spread_q16 = 10 * IRIS_Q16_ONE;
     }
-    return 1;
+    return EXIT_DONE;
 }
 
 static int read_numbers(wishes *w, const texts *t)
@@ -455,7 +499,7 @@ static int check_call(const wishes *w, const texts *t, int operands)
         operands < 1                      ? "expected are pictures of disparities or depths (see --help)"
         : !w->camera_path                 ? "--camera CAMERA is needed (see --help)"
         : !w->poses_path                  ? "--poses POSES is needed (see --help)"
-        : !t->baseline == !t->depth       ? "one of --baseline MM and --depth is needed (see --help)"
+        : t->baseline && t->depth         ? "only one of --baseline MM and --depth is needed (see --help)"
         : w->map && (w->output || w->ply) ? "--localize makes no map: no -o and no --ply with it"
                                           : NULL;
     if (wrong) {
@@ -514,8 +558,9 @@ int cmd_map(int argc, char **argv)
     if (!check_call(&w, &t, args.operand_count) || !read_numbers(&w, &t)) {
         return EXIT_BAD_CALL;
     }
-    if (!read_camera(&w, &t)) {
-        return EXIT_BAD_DATA;
+    exit_code = read_camera(&w, &t);
+    if (exit_code != EXIT_DONE) {
+        return exit_code;
     }
     exit_code = inputs_expand(&w.inputs, args.operand_count, args.operands);
     exit_code = exit_code == EXIT_DONE ? run(&w) : exit_code;
