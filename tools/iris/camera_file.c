@@ -86,11 +86,6 @@ int flat_camera_read(iris_camera_model *camera, iris_q32 *baseline, const char *
     return kind != 0;
 }
 
-static int write_text(FILE *file, const void *user)
-{
-    return fputs(user, file) >= 0 && fflush(file) == 0;
-}
-
 int pair_file_write(const char *path, const iris_pair *pair)
 {
     char text[IRIS_PAIR_TEXT_BYTES];
@@ -99,7 +94,7 @@ int pair_file_write(const char *path, const iris_pair *pair)
         complain(path, "numbers that are too large");
         return 0;
     }
-    return file_write(path, write_text, text);
+    return file_write(path, file_write_text, text);
 }
 
 int camera_fits(const iris_camera_model *camera, const char *file, iris_size size)

@@ -19,12 +19,6 @@ static picture_buffer colors;
 /* Frames that were written. */
 static uint64_t frames_written;
 
-static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
-{
-    size_t written = fwrite(data, 1, bytes, user);
-    return written > 0 ? (ptrdiff_t)written : -1;
-}
-
 static int write_rows(FILE *file, const iris_image *image)
 {
     size_t bytes = iris_format_row_bytes(image->format, image->w);
@@ -45,7 +39,7 @@ static int write_raw(FILE *file, const void *user)
 
 static int write_pnm(FILE *file, const void *user)
 {
-    return iris_pnm_write((iris_sink){write_bytes, file}, user) == IRIS_OK && fflush(file) == 0;
+    return iris_pnm_write((iris_sink){file_write_bytes, file}, user) == IRIS_OK && fflush(file) == 0;
 }
 
 static void report(const iris_frame *frame, const char *path)

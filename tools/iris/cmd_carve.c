@@ -166,12 +166,6 @@ static int check_views(const wishes *w, const iris_voxel_world *world, carve_vie
 
 /* --- what is told and written --- */
 
-static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
-{
-    size_t written = fwrite(data, 1, bytes, user);
-    return written > 0 ? (ptrdiff_t)written : -1;
-}
-
 typedef struct {
     const iris_voxel_world *world;
     const carve_photos *photos;
@@ -180,7 +174,7 @@ typedef struct {
 static int write_points(FILE *file, const void *user)
 {
     const model *m = user;
-    const iris_sink sink = {write_bytes, file};
+    const iris_sink sink = {file_write_bytes, file};
     const iris_status status =
         m->photos->colors
             ? iris_carve_write_colored_ply(sink, m->world, m->photos->colors, m->photos->colored)
@@ -199,7 +193,7 @@ static int write_mesh(FILE *file, const void *user)
     void *memory = system_scratch(bytes);
     iris_scratch scratch;
     iris_status status = memory ? iris_scratch_init(&scratch, memory, bytes) : IRIS_ERR_SCRATCH;
-    status = status == IRIS_OK ? iris_carve_write_mesh((iris_sink){write_bytes, file}, m->world,
+    status = status == IRIS_OK ? iris_carve_write_mesh((iris_sink){file_write_bytes, file}, m->world,
                                                        m->photos->colors, m->photos->colored, &scratch)
                                : status;
     free(memory);

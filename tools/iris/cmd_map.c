@@ -227,15 +227,9 @@ static int fuse(session *s, const wishes *w, int i)
     return 1;
 }
 
-static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
-{
-    const size_t written = fwrite(data, 1, bytes, user);
-    return written > 0 ? (ptrdiff_t)written : -1;
-}
-
 static int write_model(FILE *file, const void *user)
 {
-    return iris_carve_write_ply((iris_sink){write_bytes, file}, user) == IRIS_OK && fflush(file) == 0;
+    return iris_carve_write_ply((iris_sink){file_write_bytes, file}, user) == IRIS_OK && fflush(file) == 0;
 }
 
 static int write_space(const wishes *w, const iris_voxel_map *space)

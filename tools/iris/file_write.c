@@ -11,6 +11,17 @@ const char *file_write_problem(void)
     return errno ? strerror(errno) : "cannot be written";
 }
 
+ptrdiff_t file_write_bytes(void *file, const uint8_t *data, size_t bytes)
+{
+    const size_t written = fwrite(data, 1, bytes, file);
+    return written > 0 ? (ptrdiff_t)written : -1;
+}
+
+int file_write_text(FILE *file, const void *user)
+{
+    return fputs(user, file) >= 0 && fflush(file) == 0;
+}
+
 /* Into a device or a pipe that is there already, or to standard output. */
 static int write_in_place(const char *path, file_writer write, const void *user)
 {

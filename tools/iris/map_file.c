@@ -21,11 +21,6 @@ static size_t base_length(const char *path)
     return length;
 }
 
-static int write_text(FILE *file, const void *user)
-{
-    return fputs(user, file) >= 0 && fflush(file) == 0;
-}
-
 static int write_picture(const char *path, const iris_grid *grid)
 {
     picture_buffer picture = {0};
@@ -59,7 +54,7 @@ int map_file_write(const char *path, const iris_grid *grid)
         complain(path, "a map's name has no quotes, #, or blanks at its ends");
         return 0;
     }
-    return write_picture(picture, grid) && file_write(path, write_text, text);
+    return write_picture(picture, grid) && file_write(path, file_write_text, text);
 }
 
 static int grid_from(iris_grid *grid, const iris_map_text *map, const iris_image *image, const char *path)

@@ -34,12 +34,6 @@ const char *picture_extension(picture_container container, iris_format format)
     return container == CONTAINER_BMP ? ".bmp" : has_color(format) ? ".ppm" : ".pgm";
 }
 
-static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
-{
-    size_t written = fwrite(data, 1, bytes, user);
-    return written > 0 ? (ptrdiff_t)written : -1;
-}
-
 /* The row as `format`, in `room` when it is not that already. A mask becomes gray on its way to color. */
 static const void *row_as(iris_format format, const void *row, const iris_image *image, uint8_t *room)
 {
@@ -80,7 +74,7 @@ static int write_to(FILE *file, const void *user)
     const job *j = user;
     const iris_image *image = j->image;
     picture_container container = j->container;
-    iris_sink sink = {write_bytes, file};
+    iris_sink sink = {file_write_bytes, file};
     iris_status status = IRIS_OK;
     errno = 0;
     if (container == CONTAINER_BMP) {

@@ -31,15 +31,9 @@ static double depth_at(const stereo_space *space, int32_t x, int32_t y)
     return depth == IRIS_STEREO_INFINITY ? 0 : real(depth);
 }
 
-static ptrdiff_t write_bytes(void *user, const uint8_t *data, size_t bytes)
-{
-    size_t written = fwrite(data, 1, bytes, user);
-    return written > 0 ? (ptrdiff_t)written : -1;
-}
-
 static int write_depth(FILE *file, const void *user)
 {
-    iris_sink sink = {write_bytes, file};
+    iris_sink sink = {file_write_bytes, file};
     return iris_pnm_write(sink, user) == IRIS_OK && fflush(file) == 0;
 }
 

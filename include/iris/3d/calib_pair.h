@@ -3,7 +3,7 @@
  * place in the left one's frame.
  *
  * Two or three views that fill both pictures and tilt the board are good; one is the least. Frames and signs are those
- * of camera.h; the unit is that of the board.
+ * of camera.h, so that its place is not the t of R X + t (which is -R times the place); the unit is that of the board.
  *
  * Method: the board's pose before each camera by the homography of straightened places, and what these say of the pair,
  * the median of all views; from there Levenberg and Marquardt's steps (as calib_board.h) over the pair's six numbers

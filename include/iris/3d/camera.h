@@ -40,7 +40,7 @@ typedef struct {
 /* The five intrinsic parameters, in pixels. The report's K with the signs settled: alpha_u, alpha_v > 0. */
 typedef struct {
     iris_q32 alpha_u, alpha_v; /* focal length in widths and in heights of a pixel */
-    iris_q32 shear;            /* 0 for pixels with right angles */
+    iris_q32 shear;            /* 0 for pixels with right angles; texts and the tool call it skew */
     iris_q32 u0, v0;           /* the principal point */
 } iris_intrinsics;
 
@@ -67,7 +67,8 @@ typedef struct {
     iris_lens_direction direction;
 } iris_lens;
 
-/* Where a camera is and looks: Xc = R (X - t). */
+/* Where a camera is and looks: Xc = R (X - t). What texts and the tool call t, beside K [R | t], is another one: -R times
+ * this place. */
 typedef struct {
     iris_mat3 turn;  /* R */
     iris_vec3 place; /* t: the optical center in the world */

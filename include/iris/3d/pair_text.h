@@ -14,7 +14,8 @@
  *     check 09AF31C7                                over all numbers
  *
  * The turn's vector is as iris_rotation_from_vector takes it: the axis, as long as the angle in radians. The place has
- * the unit of the board that the pair was calibrated with. Numbers are read again bit by bit.
+ * the unit of the board that the pair was calibrated with; the t of R X + t, which leads from the left camera's frame
+ * to the right one's, is -R times it. Numbers are read again bit by bit.
  * A text that is written by hand goes without the line of the check, as a camera's.
  */
 #ifndef IRIS_3D_PAIR_TEXT_H

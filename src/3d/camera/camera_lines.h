@@ -7,6 +7,7 @@
 
 #define IRIS_CAMERA_LINES   8 /* from the size to the decentering */
 #define IRIS_CAMERA_NUMBERS 12
+#define IRIS_CAMERA_LIMIT   (1000000000 * IRIS_Q32_ONE) /* numbers are nearer to 0 */
 
 /* What the lines say. */
 typedef struct {

@@ -5,7 +5,6 @@
 
 #define NUMBERS   IRIS_CAMERA_NUMBERS
 #define LENS_LINE 4 /* of the lines, from 0 */
-#define LIMIT     (1000000000 * IRIS_Q32_ONE)
 
 /* The lines of numbers behind the size, and how many each has. */
 static const struct {
@@ -17,7 +16,7 @@ static int is_sound(const iris_camera_content *c)
 {
     int sound = c->w >= 1 && c->w <= IRIS_SIDE_MAX && c->h >= 1 && c->h <= IRIS_SIDE_MAX;
     for (int i = 0; i < NUMBERS; i++) {
-        sound &= c->numbers[i] < LIMIT && c->numbers[i] > -LIMIT;
+        sound &= c->numbers[i] < IRIS_CAMERA_LIMIT && c->numbers[i] > -IRIS_CAMERA_LIMIT;
     }
     return sound && c->numbers[0] > 0 && c->numbers[1] > 0;
 }

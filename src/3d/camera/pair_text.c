@@ -4,7 +4,6 @@
 
 #define HALF  (1 + IRIS_CAMERA_LINES) /* lines of a camera, with its side */
 #define LINES (2 * HALF + 2)
-#define LIMIT (1000000000 * IRIS_Q32_ONE)
 
 typedef struct {
     iris_camera_content cameras[2];
@@ -41,7 +40,7 @@ iris_status iris_pair_write_text(char *text, size_t capacity, size_t *length, co
                 iris_camera_content_of(&c.cameras[1], &pair->cameras[1]);
     for (int i = 0; i < 6; i++) {
         c.numbers[i] = numbers[i];
-        sound = sound && numbers[i] < LIMIT && numbers[i] > -LIMIT;
+        sound = sound && numbers[i] < IRIS_CAMERA_LIMIT && numbers[i] > -IRIS_CAMERA_LIMIT;
     }
     if (!sound || capacity < IRIS_PAIR_TEXT_BYTES) {
         return IRIS_ERR_RANGE;
