@@ -104,12 +104,13 @@ refuses "-o with a picture's name" 2 'out.pgm: .*folder' rectify left.pgm right.
 refuses "--keep" 2 "keep: valid or all, not 'some'" rectify left.pgm right.pgm --calib rig.pair --keep some
 refuses "two things on standard output" 2 'only' rectify left.pgm right.pgm --calib rig.pair --json --lines -
 awk "$(sed 's/x -= 20; y -= 1; z += 1;//' cameras.awk; cat lists.awk)"
-"$iris" calibrate pair $board --left left.camera --right right.camera --corners-left left?.txt --corners-right right?.txt -o one.pair > told
-grep -q '^the cameras are at one place' told; say $? "cameras at one place are told"
+refuses "cameras at one place" 1 'the cameras are at one place' calibrate pair $board --left left.camera --right right.camera --corners-left left?.txt --corners-right right?.txt -o one.pair
+[ ! -e one.pair ]; say $? "of which there is no file"
 sed 's/^place.*/place 0.0000000000 0.0000000000 0.0000000000/' rig.pair > odd.pair
 refuses "a file that was changed" 1 'odd.pair: line 22: not a pair file, or damaged' rectify left.pgm right.pgm --calib odd.pair
 awk "$(cat cameras.awk lists.awk)"
 "$iris" calibrate pair $board --left right.camera --right left.camera --corners-left right?.txt --corners-right left?.txt -o swapped.pair > told
+grep -q '^the left camera is on the right' told; say $? "a left camera on the right is told"
 refuses "left is right" 1 'the left camera is on the right' rectify right.pgm left.pgm --calib swapped.pair
 head -c 3000 left.pgm > cut.pgm
 refuses "a picture that is cut" 1 'cut.pgm: ' rectify cut.pgm right.pgm --calib rig.pair

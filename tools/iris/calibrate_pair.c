@@ -253,12 +253,17 @@ static int verdict(char text[320], const session *s, int i)
             return 1;
         }
     }
-    if (s->fit.remarks & IRIS_PAIR_ONE_PLACE && n++ == i) {
-        snprintf(text, 320,
-                 "the cameras are at one place, as far as can be told: there is no depth to be seen");
+    const iris_vec3 place = s->fit.right.place;
+    if (place.x <= 0 && n++ == i) {
+        snprintf(text, 320, "the left camera is on the right: iris rectify wants them interchanged");
         return 1;
     }
-    if (s->fit.remarks & IRIS_PAIR_LOOSE && !(s->fit.remarks & IRIS_PAIR_ONE_PLACE) && n++ == i) {
+    if (place.x > 0 && (place.z > place.x || place.z < -place.x) && n++ == i) {
+        snprintf(text, 320,
+                 "one camera is rather before the other than beside it: iris rectify wants them beside");
+        return 1;
+    }
+    if (s->fit.remarks & IRIS_PAIR_LOOSE && n++ == i) {
         snprintf(text, 320,
                  "the right camera's place is uncertain by more than 1 %% of its distance: add views");
         return 1;
@@ -386,6 +391,9 @@ static int run(session *s, const char *output, int json)
         complain_flaw(s);
     } else if (status != IRIS_OK) {
         complain(NULL, "%s", iris_status_text(status));
+    } else if (s->fit.remarks & IRIS_PAIR_ONE_PLACE) {
+        complain(NULL, "the cameras are at one place, as far as can be told: set them apart to see depth");
+        status = IRIS_ERR_DATA;
     }
     return status == IRIS_OK ? tell(s, output, json) : EXIT_BAD_DATA;
 }
