@@ -180,7 +180,7 @@ void iris_row_parabola_u16_c(uint16_t *dst, const iris_row_least *from, int32_t 
         int32_t apart = before > behind ? before - behind : behind - before;
         int32_t rest = 128 * apart + (bend >> 1), off = 0;
         for (int bit = 7; bit >= 0; bit--) {
-            int32_t part = bend << bit;
+            int32_t part = bend * (1 << bit);
             int fits = bend > 0 && rest >= part;
             rest -= fits ? part : 0;
             off |= fits ? 1 << bit : 0;
