@@ -47,6 +47,9 @@ works "a pose 100 km away" wall.pgm $camera --poses far.txt --json
 echo 0 2e8 0 > far.txt
 refuses "a pose farther away" 1 'far.txt: pose 1 is farther away' wall.pgm $camera --poses far.txt
 head -c 1000 wall.pgm > short.pgm
+{ head -3 wall.pgm; head -c $(($(wc -c < wall.pgm) - $(head -3 wall.pgm | wc -c))) /dev/zero; } > blank.pgm
+refuses "a picture without a match" 1 'one.txt: no picture has a match' blank.pgm $camera --poses one.txt -o blank.yaml
+[ ! -e blank.yaml ]; say $? "of which there is no map"
 refuses "a picture that ends early" 1 'short.pgm: ends early, in row' short.pgm $camera --poses one.txt
 printf 'P5\n160 120\n255\n' > eight.pgm
 refuses "a picture of 8 bits" 1 'eight.pgm: expected is a PGM of 16 bits' eight.pgm $camera --poses one.txt

@@ -72,6 +72,7 @@ typedef struct {
     uint8_t *field_bytes;
     iris_field field;
     int left_out;
+    int64_t seen; /* columns of pictures that show where something is, or that nothing is */
 } session;
 
 /* --- poses --- */
@@ -218,6 +219,7 @@ static int fuse(session *s, const wishes *w, int i)
     if (!read_scan(&scan, s, w, i)) {
         return 0;
     }
+    s->seen += scan.count;
     iris_scratch scratch = scratch_of(s);
     s->left_out += iris_grid_fuse(&s->grid, w->poses[i], &scan, NULL, &scratch) != IRIS_OK;
     if (s->space.odds) {
@@ -291,6 +293,11 @@ static int make_map(const wishes *w, session *s)
         good = fuse(s, w, i);
     }
     progress_clear();
+    if (good && s->seen == 0) {
+        complain(w->poses_path,
+                 "no picture has a match above the floor: are they disparities of this camera?");
+        good = 0;
+    }
     good =
         good && (!w->output || map_file_write(w->output, &s->grid)) && (!w->ply || write_space(w, &s->space));
     if (good) {
