@@ -246,12 +246,14 @@ verify-scripts: all
 	@TIMEOUT=1200 tests/programs $(SCRIPTS)
 
 # Windows programs, run by Wine: its server stays between them, so that none meets the end of the last one's. It needs the
-# folder, which Wine itself would make later.
+# folder, which Wine itself would make later. The first program starts Wine's services, which stay, too, and would keep a
+# pipe open that it writes to.
 WINE_SCRIPTS := tests/tool.sh tests/tool_blobs.sh tests/tool_lock.sh tests/tool_pyramid.sh
 $(OUT)/wine-iris: $(TOOL)
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(RUNNER)' '$(abspath $(TOOL))' > $@ && chmod +x $@
 verify-windows: all $(OUT)/wine-iris
 	@mkdir -p "$$WINEPREFIX" && { $(dir $(WINE))wineserver64 -p300 || true; }
+	@$(RUNNER) cmd /c exit > /dev/null 2>&1 < /dev/null || true
 	+@$(MAKE) -s verify-host
 	@RUNNER= IRIS=$(OUT)/wine-iris NOT_HERE=tests/not_on_windows tests/programs $(WINE_SCRIPTS)
 .PHONY: verify-house verify-examples verify-scripts verify-windows
