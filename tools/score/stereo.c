@@ -273,8 +273,10 @@ static void score_time(score *s, const pair pairs[2])
         ratio[i] = seconds(quadtree, &pairs[i]) / seconds(block, &pairs[i]);
     }
     score_row(s, "stereo, quadtree beside block, tsukuba and cones: processor time", "at most 0.33",
-              ratio[0] <= 0.33 && ratio[1] <= 0.33 ? SCORE_REACHED : SCORE_MISSED, "%.2f and %.2f", ratio[0],
-              ratio[1]);
+              ratio[0] <= 0.33 && ratio[1] <= 0.33 ? SCORE_REACHED
+              : ratio[0] <= 1 && ratio[1] <= 1     ? SCORE_SHORT
+                                                   : SCORE_MISSED,
+              "%.2f and %.2f", ratio[0], ratio[1]);
 }
 
 void score_stereo(score *s)
