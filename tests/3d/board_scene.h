@@ -49,7 +49,7 @@ static inline void scene_turn(board_scene *s, double roll, double tilt, double a
 /* Puts the board's middle on a ray through (x, y) pixels beside the picture's middle, `away` squares away. */
 static inline void scene_place(board_scene *s, double x, double y, double away)
 {
-    const double mx = (s->kind == SCENE_SHIFTED ? 2 * s->columns - 1 : s->columns - 1) / 2.0,
+    const double mx = ((s->kind == SCENE_SHIFTED) * s->columns + s->columns - 1) / 2.0,
                  my = (s->rows - 1) / 2.0;
     const double at[3] = {x / s->focal * away, y / s->focal * away, away};
     for (int k = 0; k < 3; k++) {
