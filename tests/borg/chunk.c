@@ -25,21 +25,20 @@ static void seal(void)
     }
 }
 
-static int setup(void **state)
+static void start(void)
 {
-    (void)state;
     memcpy(whole, chunk, sizeof chunk);
     length = sizeof chunk;
     whole[length++] = 255;
     /* election: body has a handler of 5 + 4 bytes of condition, and an action of 4 */
     whole[16 + 25 + 3] = 13;
     seal();
-    return 0;
 }
 
 static void is_read(void **state)
 {
     (void)state;
+    start();
     assert_int_equal(borg_chunk_check(whole, length), IRIS_OK);
     assert_int_equal(borg_chunk_units(whole), 3);
     assert_int_equal(borg_chunk_ref(whole), 258);
@@ -79,6 +78,7 @@ static void is_read(void **state)
 static void every_damage_is_seen(void **state)
 {
     (void)state;
+    start();
     for (size_t i = 0; i < length; i++) {
         for (int bit = 0; bit < 8; bit++) {
             whole[i] ^= (uint8_t)(1 << bit);
@@ -111,6 +111,7 @@ static void changed(size_t at, uint8_t value)
 static void contents_are_checked(void **state)
 {
     (void)state;
+    start();
     static const struct {
         uint8_t at, value;
     } changes[] = {{3, 0},  {3, 1},    {6, 0},  {10, 1}, {10, 3},  {11, 1}, {16, 2},  {17, 4},      {18, 0},
@@ -124,9 +125,9 @@ static void contents_are_checked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(is_read, setup),
-        cmocka_unit_test_setup(every_damage_is_seen, setup),
-        cmocka_unit_test_setup(contents_are_checked, setup),
+        cmocka_unit_test(is_read),
+        cmocka_unit_test(every_damage_is_seen),
+        cmocka_unit_test(contents_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
