@@ -106,7 +106,7 @@ HOSTED := $(if $(findstring none-eabi,$(TARGET)),,$(if $(findstring mingw,$(TARG
 EXE    := $(if $(filter windows,$(HOSTED)),.exe)
 
 include src/lite.mk
-CORE_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_SRC),$(wildcard src/foundation/*.c src/xt/*/*.c src/3d/*/*.c src/borg/*.c))
+CORE_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_SRC),$(wildcard src/foundation/*.c src/xt/*/*.c src/3d/*/*.c src/osiris/*.c src/runtime/*.c src/borg/*.c))
 PORT_SRC := $(wildcard $(PORTS_USED:%=port/cpu/%/*.c))
 OS_SRC   := $(wildcard port/os/$(OS)/*.c $(SHIMS:%=port/os/$(OS)/%/*.c))
 # C++ allocates: in an archive of its own, so that the promises of the other ones stay whole.

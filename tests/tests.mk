@@ -1,6 +1,6 @@
 # The tests. Every program and script here prints TAP; tests/tally counts the lines and prints the last one.
 #
-#   tests/*.c tests/{xt,3d,borg,linux}/*.c       CMocka, one program each
+#   tests/*.c tests/{xt,3d,osiris,runtime,borg,linux}/*.c       CMocka, one program each
 #   tests/kernels/*.c, tests/guarded/*.c     what tests/check_kernels.c knows of each row kernel
 #   tests/calls/*.c                          what tests/random_calls.c knows of each operation
 #   tests/digest/*.c                         one program: a digest per operation, the same list on every processor
@@ -18,7 +18,7 @@ export RUNNER CROSS_COMPILE OUT
 # --- one configuration: this PORT, this compiler, these flags ---
 
 # tests/linux needs a kernel's own terminals: emulators of user programs do not know all of their calls.
-UNIT_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_TESTS),$(wildcard tests/*.c tests/xt/*.c tests/3d/*.c tests/borg/*.c $(if $(RUNNER),,tests/$(OS)/*.c)))
+UNIT_SRC := $(if $(filter lite,$(PROFILE)),$(LITE_TESTS),$(wildcard tests/*.c tests/xt/*.c tests/3d/*.c tests/osiris/*.c tests/runtime/*.c tests/borg/*.c $(if $(RUNNER),,tests/$(OS)/*.c)))
 # LEFT_OUT names those that would take minutes under an emulator.
 LEFT_OUT ?=
 UNIT_SRC := $(filter-out $(LEFT_OUT:%=tests/%.c),$(UNIT_SRC))
@@ -143,7 +143,7 @@ $(OUT)/unity.o: $(UNITY_SRC)/unity.c
 # The tests of the host, CMocka's, on bare metal: as Unity's, with the C library for files, heap, and the doubles that they
 # compare with. Without optimizing as a whole, which would take longer than all the tests.
 # On 16 KB of a microbit those that fit.
-MODULE_SRC := $(filter-out tests/check_kernels.c tests/random_calls.c tests/bmp_suite.c,$(wildcard tests/*.c tests/xt/*.c tests/3d/*.c tests/borg/*.c))
+MODULE_SRC := $(filter-out tests/check_kernels.c tests/random_calls.c tests/bmp_suite.c,$(wildcard tests/*.c tests/xt/*.c tests/3d/*.c tests/osiris/*.c tests/runtime/*.c tests/borg/*.c))
 MODULE_LARGE := xt/blob xt/blob_shape# take 24 MB
 MODULE_SLOW_mps2-an500 := hsl xt/birdseye xt/blur xt/contour xt/edge xt/floor# minutes under an emulator: the M55 runs them
 MODULE_ONLY_microbit   := border command differential fixed image indicator nv12 pwm stream watchdog wide xt/floor_text xt/follow_signature xt/hitmiss \

@@ -51,4 +51,7 @@ typedef struct {
 /* The frame, what the cameras see, the board's poses, and the pair to begin with. */
 iris_pair_flaw iris_pair_start(int32_t *flawed, iris_pair_work *w, const iris_sensor cameras[2]);
 
+/* What the refined problem says: places, distances that are left, deviations, and remarks. */
+void iris_pair_figures(iris_pair_fit *fit, iris_pair_place *places, iris_pair_work *w);
+
 #endif
