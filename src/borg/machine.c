@@ -11,7 +11,6 @@ static void end_actions(borg_machine *m)
 
 iris_status borg_machine_init(borg_machine *machine, const uint8_t *chunk, size_t bytes, int32_t unit)
 {
-    static const borg_machine empty;
     if (!machine) {
         return IRIS_ERR_ARG;
     }
@@ -19,16 +18,10 @@ iris_status borg_machine_init(borg_machine *machine, const uint8_t *chunk, size_
     if (status != IRIS_OK) {
         return status;
     }
-    if (unit < 1 || unit > borg_chunk_units(chunk)) {
+    if (unit < 1 || unit > borg_chunk_units(chunk) || borg_seen_missing(chunk, NULL) > BORG_SEEN_MAX) {
         return IRIS_ERR_RANGE;
     }
-    borg_machine fresh = empty;
-    fresh.chunk = chunk;
-    fresh.unit = (uint8_t)unit;
-    if (borg_seen_missing(&fresh) > BORG_SEEN_MAX) {
-        return IRIS_ERR_RANGE;
-    }
-    *machine = fresh;
+    *machine = (borg_machine){.chunk = chunk, .unit = (uint8_t)unit};
     return IRIS_OK;
 }
 
@@ -37,21 +30,35 @@ static void count_up(uint16_t *count)
     *count = (uint16_t)(*count + (*count < UINT16_MAX));
 }
 
+/* Of the elections first to last; -1: the top. */
+static uint32_t handlers_in(const borg_machine *m, int32_t first, int32_t last)
+{
+    uint32_t bits = 0;
+    borg_walk w;
+    borg_walk_start(&w, m->chunk);
+    while (borg_walk_next(&w)) {
+        bits |= w.parent >= first && w.parent <= last ? (uint32_t)1 << w.index : 0;
+    }
+    return bits;
+}
+
+static void end_elections(borg_machine *m)
+{
+    m->open = m->won = m->must_win = m->must_lose = 0;
+    m->armed &= ~handlers_in(m, 0, BORG_HANDLERS_MAX);
+}
+
 /* The mission begins anew. What is left of it is for the next step. */
 static void put_start(borg_machine *m, const borg_signal *signal)
 {
     end_actions(m);
     m->seen_count = 0;
-    m->armed = m->open = m->won = m->must_win = m->must_lose = 0;
+    end_elections(m);
     m->clock_runs = m->time_is_out = m->must_stop = 0;
     m->has_started = 1;
     m->waiting[0] = *signal;
     m->waiting_count = 1;
-    borg_walk w;
-    borg_walk_start(&w, m->chunk);
-    while (borg_walk_next(&w)) {
-        m->armed |= w.parent < 0 ? (uint32_t)1 << w.index : 0;
-    }
+    m->armed = handlers_in(m, -1, -1);
 }
 
 static void take_out(borg_machine *m, int32_t index)
@@ -144,17 +151,6 @@ static int32_t lowest(uint32_t bits)
     return i;
 }
 
-static uint32_t handlers_in(const borg_machine *m, int32_t election)
-{
-    uint32_t bits = 0;
-    borg_walk w;
-    borg_walk_start(&w, m->chunk);
-    while (borg_walk_next(&w)) {
-        bits |= w.parent == election ? (uint32_t)1 << w.index : 0;
-    }
-    return bits;
-}
-
 /* A signal comes: whose condition becomes true by it? */
 static void arrive(borg_machine *m)
 {
@@ -169,7 +165,7 @@ static void arrive(borg_machine *m)
 static void arrive_vote(borg_machine *m, int won)
 {
     const int32_t election = lowest(won ? m->must_win : m->must_lose);
-    const uint32_t bit = (uint32_t)1 << election, inside = handlers_in(m, election);
+    const uint32_t bit = (uint32_t)1 << election, inside = handlers_in(m, election, election);
     m->must_win &= ~bit;
     m->must_lose &= ~bit;
     m->must_stop = !won && (m->won & bit);
@@ -252,11 +248,15 @@ static int fire(borg_output *out, borg_machine *m)
     if (!w.handler.repeats && !(m->now.kind == BORG_TIME_OUT && only_stops(&w.handler))) {
         m->armed &= ~bit;
     }
+    m->is_inside = w.parent >= 0;
     if (!w.handler.winners) {
         m->at = (uint16_t)(w.handler.body.at - m->chunk);
         m->end = (uint16_t)(w.handler.body.end - m->chunk);
         return 0;
     }
+    m->must_stop = (m->won & bit) != 0;
+    m->won &= ~bit;
+    m->armed &= ~handlers_in(m, index, index);
     m->open |= bit;
     out->what = BORG_DO_ELECT;
     out->winners = w.handler.winners;
@@ -297,6 +297,9 @@ static int act(borg_output *out, borg_machine *m, uint32_t now_ms)
     if (action.verb == BORG_RESET_TIME) {
         m->reset_at_ms = now_ms;
         m->clock_runs = 1;
+    }
+    if (action.verb == BORG_STOP && !m->is_inside) {
+        end_elections(m);
     }
     if (action.verb == BORG_GO_TARGET) {
         const borg_signal *const target = borg_seen_find(m, action.kind, action.ref, action.which);

@@ -34,13 +34,13 @@ static int32_t count_of(const borg_machine *m, uint8_t kind, uint16_t ref)
     return count;
 }
 
-/* How many of these signals the chunk asks for at once; before: what it asked for before this one, for 0 is first. */
-static int32_t most_asked(const borg_machine *m, uint8_t kind, uint16_t ref, int32_t *first)
+/* How many of these signals the chunk asks for at once; *first: where it does so first. */
+static int32_t most_asked(const uint8_t *chunk, uint8_t kind, uint16_t ref, int32_t *first)
 {
     borg_uses u;
     int32_t most = 0, i = 0;
     *first = -1;
-    for (borg_uses_start(&u, m->chunk); borg_uses_next(&u); i++) {
+    for (borg_uses_start(&u, chunk); borg_uses_next(&u); i++) {
         if (u.kind == kind && u.ref == ref) {
             most = u.machines > most ? u.machines : most;
             *first = *first < 0 ? i : *first;
@@ -49,12 +49,13 @@ static int32_t most_asked(const borg_machine *m, uint8_t kind, uint16_t ref, int
     return most;
 }
 
-int32_t borg_seen_missing(const borg_machine *m)
+int32_t borg_seen_missing(const uint8_t *chunk, const borg_machine *m)
 {
     borg_uses u;
     int32_t missing = 0, i = 0, first;
-    for (borg_uses_start(&u, m->chunk); borg_uses_next(&u); i++) {
-        const int32_t more = most_asked(m, u.kind, u.ref, &first) - count_of(m, u.kind, u.ref);
+    for (borg_uses_start(&u, chunk); borg_uses_next(&u); i++) {
+        const int32_t seen = m ? count_of(m, u.kind, u.ref) : 0;
+        const int32_t more = most_asked(chunk, u.kind, u.ref, &first) - seen;
         missing += i == first && more > 0 ? more : 0;
     }
     return missing;
@@ -67,10 +68,10 @@ static void add(borg_machine *m, const borg_signal *signal, uint16_t ref)
     int32_t first;
     int32_t i = borg_seen_index(m, signal->kind, ref, signal->unit);
     if (i < 0) {
-        const int32_t asked = most_asked(m, signal->kind, ref, &first);
+        const int32_t asked = most_asked(m->chunk, signal->kind, ref, &first);
         const int is_more = count_of(m, signal->kind, ref) >= asked;
         if (asked == 0 || (is_more && (signal->kind != BORG_OBJ_DETECT_TRUE ||
-                                       m->seen_count + borg_seen_missing(m) >= BORG_SEEN_MAX))) {
+                                       m->seen_count + borg_seen_missing(m->chunk, m) >= BORG_SEEN_MAX))) {
             return;
         }
         if (m->seen_count >= BORG_SEEN_MAX) {

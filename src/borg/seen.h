@@ -5,8 +5,8 @@
 #include "chunk_walk.h"
 #include "iris/borg/machine.h"
 
-/* How many more signals the chunk may need than there are. */
-int32_t borg_seen_missing(const borg_machine *m);
+/* How many more signals the chunk may need than the machine, or null, has seen. */
+int32_t borg_seen_missing(const uint8_t *chunk, const borg_machine *m);
 
 /* A signal that has come, ref not 0; once more with ref 0 when it is the machine's own. */
 void borg_seen_add(borg_machine *m, const borg_signal *signal);

@@ -323,6 +323,37 @@ static void elections_keep_apart(void **state)
     assert_string_equal(does(0), "turn(1)");
 }
 
+/* WHILE opens an election anew, and who won the last one stops; a Stop outside ends it. */
+static void elections_begin_again_and_end(void **state)
+{
+    (void)state;
+    load("010 UNITS=2 [ WHILE Signal(LINE_END): UNITS=1 [ Signal(VOTE_WIN): Turn(1); WHILE Signal(REACHED): "
+         "Stop; ]"
+         "WHILE Signal(BUMPED): UNITS(2).Stop,UNITS(1).Turn(2); WHILE Signal(STOPPED): UNITS(1).Stop; ]",
+         1);
+    own(BORG_START);
+    own(BORG_LINE_END);
+    assert_string_equal(does(0), "elect0=1");
+    assert_int_equal(borg_machine_vote(&machine, 0, 1), IRIS_OK);
+    assert_string_equal(does(0), "turn(1)");
+    own(BORG_REACHED);
+    assert_string_equal(does(0), "stop"); /* inside: it stays its election */
+    assert_int_equal(borg_machine_is_open(&machine, 0), 1);
+    own(BORG_LINE_END);
+    own(BORG_REACHED);
+    assert_string_equal(does(0), "elect0=1 stop");
+    assert_int_equal(borg_machine_vote(&machine, 0, 1), IRIS_OK);
+    assert_string_equal(does(0), "turn(1)");
+    own(BORG_BUMPED); /* another one's Stop */
+    assert_string_equal(does(0), "turn(2)");
+    assert_int_equal(borg_machine_is_open(&machine, 0), 1);
+    own(BORG_STOPPED);
+    own(BORG_REACHED);
+    assert_string_equal(does(0), "stop");
+    assert_int_equal(borg_machine_is_open(&machine, 0), 0);
+    assert_int_equal(borg_machine_vote(&machine, 0, 1), IRIS_ERR_RANGE);
+}
+
 static void wrong_calls(void **state)
 {
     (void)state;
@@ -392,12 +423,19 @@ static void memory_is_bounded(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_finder),           cmocka_unit_test(the_explorers),
-        cmocka_unit_test(votes_change),         cmocka_unit_test(the_reports_chunks),
-        cmocka_unit_test(one_thing_at_a_time),  cmocka_unit_test(while_and_else),
-        cmocka_unit_test(only_its_own_is_told), cmocka_unit_test(the_buffer_is_bounded),
-        cmocka_unit_test(start_ends_what_was),  cmocka_unit_test(elections_keep_apart),
-        cmocka_unit_test(wrong_calls),          cmocka_unit_test(memory_is_bounded),
+        cmocka_unit_test(the_finder),
+        cmocka_unit_test(the_explorers),
+        cmocka_unit_test(votes_change),
+        cmocka_unit_test(the_reports_chunks),
+        cmocka_unit_test(one_thing_at_a_time),
+        cmocka_unit_test(while_and_else),
+        cmocka_unit_test(only_its_own_is_told),
+        cmocka_unit_test(the_buffer_is_bounded),
+        cmocka_unit_test(start_ends_what_was),
+        cmocka_unit_test(elections_keep_apart),
+        cmocka_unit_test(elections_begin_again_and_end),
+        cmocka_unit_test(wrong_calls),
+        cmocka_unit_test(memory_is_bounded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

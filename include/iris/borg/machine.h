@@ -10,7 +10,8 @@
  * - The clock runs from ResetTime; when the chunk's seconds have passed, TIME_OUT comes before all that waits, once. A
  *   handler that only stops stays armed for it, so that what begins after a time-out ends as well.
  * - An election begins each time that its handler fires. VOTE_WIN arms the handlers in it, and is theirs alone;
- *   VOTE_LOST disarms them, and a machine that had won stops.
+ *   VOTE_LOST disarms them, and a machine that had won stops; so it does when the same election begins again. A Stop
+ *   outside of elections ends all of them for this machine.
  * - Go to the target of a signal that is not there does nothing, and is counted.
  *
  * One machine is some 450 bytes, and the chunk's bytes, which stay where they are.
@@ -57,7 +58,7 @@ typedef struct {
     uint16_t at, end;             /* actions that are being run: bytes of the chunk */
     uint16_t dropped, skipped;    /* signals, and Gos; they stay at 65535 */
     uint8_t unit, waiting_count, seen_count;
-    uint8_t has_started, clock_runs, time_is_out, must_stop;
+    uint8_t has_started, clock_runs, time_is_out, must_stop, is_inside;
 } borg_machine;
 
 /* A machine that waits for START. chunk: `bytes` bytes, which must stay as they are for as long as the machine is used;
@@ -78,6 +79,12 @@ iris_status borg_machine_vote(borg_machine *machine, int32_t election, int won);
 /* The next thing to do at this time, any clock that wraps; BORG_DO_NOTHING: nothing for now. To be called until it is.
  * IRIS_ERR_ARG: a null pointer. O(length of the chunk * BORG_SEEN_MAX). */
 iris_status borg_machine_step(borg_output *output, borg_machine *machine, uint32_t now_ms);
+
+/* Whether an election, 0 to BORG_HANDLERS_MAX - 1, has begun and is not over for this machine. */
+static inline int borg_machine_is_open(const borg_machine *machine, int32_t election)
+{
+    return (int)(machine->open >> election & 1);
+}
 
 /* How many signals were dropped, and Gos skipped. */
 static inline int32_t borg_machine_dropped(const borg_machine *machine)
