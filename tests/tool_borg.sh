@@ -10,6 +10,18 @@ grep -q 'explore.borg: 2 groups, nothing wrong' out; say $? "check says so"
 works "check in JSON" check --json "$scripts/explore.borg"
 grep -q '"groups":\[{"ref":10,"units":1,"timeout_s":60,"bytes":60},{"ref":20,"units":4,"timeout_s":60,"bytes":81}\]' out
 say $? "groups, and what their chunks cost, in JSON"
+works "a time-out" check --json --timeout 7 "$scripts/explore.borg"
+grep -q '"ref":20,"units":4,"timeout_s":7,' out; say $? "--timeout where the script names none"
+works "another time-out" check --json --timeout 7 "$scripts/patrol.borg"
+grep -q '"ref":10,"units":2,"timeout_s":300,.*"ref":20,"units":3,"timeout_s":120,' out; say $? "what the script names stays"
+number() { sed -n 's/.*"script":\([0-9]*\).*/\1/p' out; }
+{ echo '// mine'; cat "$scripts/explore.borg"; } > commented.borg
+works "a comment" check --json commented.borg
+commented=$(number)
+works "none" check --json "$scripts/explore.borg"
+[ -n "$commented" ] && [ "$(number)" = "$commented" ]; say $? "comments do not change a script's number"
+works "another script" check --json --timeout 59 commented.borg
+[ "$(number)" != "$commented" ]; say $? "time-outs do"
 works "decompose" decompose "$scripts/explore.borg"
 cat > wanted <<'END'
 // Chunk 1: 60 bytes of bytecode
@@ -64,7 +76,8 @@ refuses "a file that is not there" 1 'nowhere.borg: ' check nowhere.borg
 head -c 70000 /dev/zero > large.borg
 refuses "a large file" 1 'large.borg: longer than' check large.borg
 for wrong in "" "check" "run few.borg" "check a b" "check --bytecode a" "format --chunks a" "format --json a" "check -o x a" \
-    "decompose --json --bytecode a"; do
+    "decompose --json --bytecode a" "check --timeout 0 a" "check --timeout 65536 a" "format --timeout 9 a" \
+    "decompose --chunks --timeout 9 a"; do
     # shellcheck disable=SC2086
     refuses "borg $wrong" 2 '^iris borg: ' $wrong
 done

@@ -180,3 +180,12 @@ iris_status borg_chunk_check(const uint8_t *chunk, size_t bytes)
     }
     return top == chunk[10] && all <= BORG_HANDLERS_MAX ? IRIS_OK : IRIS_ERR_DATA;
 }
+
+uint32_t borg_chunk_number(uint32_t before, const uint8_t *chunk, size_t bytes)
+{
+    uint32_t sum = before ? before : 2166136261u;
+    for (size_t i = 0; chunk && i < bytes; i++) {
+        sum = (sum ^ chunk[i]) * 16777619u;
+    }
+    return sum;
+}

@@ -36,6 +36,17 @@ int borg_walk_to(borg_walk *w, const uint8_t *chunk, int32_t index)
     return 1;
 }
 
+int32_t borg_chunk_elections(const uint8_t *chunk)
+{
+    int32_t count = 0;
+    borg_walk w;
+    borg_walk_start(&w, chunk);
+    while (borg_walk_next(&w)) {
+        count += w.handler.winners != 0;
+    }
+    return count;
+}
+
 void borg_uses_start(borg_uses *u, const uint8_t *chunk)
 {
     borg_walk_start(&u->walk, chunk);

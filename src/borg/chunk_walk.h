@@ -16,6 +16,9 @@ void borg_walk_start(borg_walk *w, const uint8_t *chunk);
 int borg_walk_next(borg_walk *w); /* 0: there are no more */
 int borg_walk_to(borg_walk *w, const uint8_t *chunk, int32_t index);
 
+/* How many elections a chunk has. */
+int32_t borg_chunk_elections(const uint8_t *chunk);
+
 /* The signals that a chunk asks for: each term, and each target of a Go. */
 typedef struct {
     borg_walk walk;

@@ -1,5 +1,7 @@
 #include "chunk_build.h"
+#include "iris/borg/member.h"
 #include "script_parts.h"
+#include "seen.h"
 
 /* One chunk in the making. */
 typedef struct {
@@ -7,6 +9,8 @@ typedef struct {
     const borg_script *script;
     const borg_group *group;
     int32_t handlers, all; /* at the top, and with those of elections */
+    borg_place place;      /* where it is too much */
+    const char *expected;  /* null: it is not */
 } making;
 
 static size_t open_handler(making *c, int repeats, int32_t winners, borg_term signal)
@@ -158,6 +162,33 @@ static int32_t put_run(making *c, int32_t i)
     return end;
 }
 
+/* With what is at this place, a chunk has no room any more. */
+static void look_at_size(making *c, borg_place place)
+{
+    if (c->expected) {
+        return;
+    }
+    c->place = place;
+    if (c->all > BORG_HANDLERS_MAX) {
+        c->expected = "expected less for this group: from here on its chunk would have more than 32 handlers";
+    } else if (c->build.used > BORG_CHUNK_BYTES_MAX) {
+        c->expected = "expected less for this group: from here on its chunk would have more than 512 bytes";
+    }
+}
+
+/* All but the header. */
+static void put_all(making *c)
+{
+    put_start(c);
+    put_multicasts(c);
+    look_at_size(c, c->group->place);
+    for (int32_t i = next_effect(c, 0); i < c->script->effect_count;) {
+        const borg_place place = c->script->effects[i].place;
+        i = put_run(c, i);
+        look_at_size(c, place);
+    }
+}
+
 iris_status borg_script_decompose(uint8_t *chunk, size_t capacity, size_t *bytes, const borg_script *script,
                                   int32_t group)
 {
@@ -166,13 +197,51 @@ iris_status borg_script_decompose(uint8_t *chunk, size_t capacity, size_t *bytes
     }
     making c = {.script = script, .group = &script->groups[group]};
     borg_build_start(&c.build, chunk, capacity);
-    put_start(&c);
-    put_multicasts(&c);
-    for (int32_t i = next_effect(&c, 0); i < script->effect_count;) {
-        i = put_run(&c, i);
+    put_all(&c);
+    if (c.expected) {
+        return IRIS_ERR_RANGE;
     }
     const uint16_t timeout_s = c.group->timeout_s ? c.group->timeout_s : script->timeout_s;
     const borg_build_header header = {c.group->line, c.group->units, timeout_s ? timeout_s : BORG_TIMEOUT_S,
                                       c.handlers};
-    return c.all > BORG_HANDLERS_MAX ? IRIS_ERR_RANGE : borg_build_finish(&c.build, bytes, &header);
+    return borg_build_finish(&c.build, bytes, &header);
+}
+
+/* What no machine can run of a chunk that fits; null: nothing. */
+static const char *beyond_a_machine(const borg_script *script, int32_t group)
+{
+    uint8_t chunk[BORG_CHUNK_BYTES_MAX];
+    size_t bytes;
+    if (borg_script_decompose(chunk, sizeof chunk, &bytes, script, group) != IRIS_OK) {
+        return "expected simpler conditions: this group's chunk has one of more than 255 bytes";
+    }
+    const int32_t elections = borg_chunk_elections(chunk);
+    if (elections > BORG_MEMBER_ELECTIONS_MAX) {
+        return "expected at most 4 choices of some units of a group, as UNITS(1 OF 2)";
+    }
+    if (elections > 0 && script->groups[group].units > BORG_ELECTION_UNITS_MAX) {
+        return "expected at most 16 units in a group of which some are chosen";
+    }
+    if (borg_seen_missing(chunk, NULL) > BORG_SEEN_MAX) {
+        return "expected less to react to: a machine remembers 24 different signals at once";
+    }
+    return NULL;
+}
+
+int borg_script_fits(const borg_script *script, borg_problem *problem)
+{
+    for (int32_t i = 0; i < script->group_count; i++) {
+        making c = {.script = script, .group = &script->groups[i]};
+        borg_build_start(&c.build, NULL, 0);
+        put_all(&c);
+        if (!c.expected) {
+            c.place = c.group->place;
+            c.expected = beyond_a_machine(script, i);
+        }
+        if (c.expected) {
+            *problem = (borg_problem){c.place.line, c.place.column, c.expected};
+            return 0;
+        }
+    }
+    return 1;
 }

@@ -15,4 +15,7 @@ const borg_group *borg_group_find(const borg_script *script, uint16_t line);
 /* What is wrong with a script that was read; 0 with *problem, or 1. */
 int borg_script_check(borg_script *script, borg_problem *problem);
 
+/* Whether every group of a script that is right has a chunk that machines can run; 0 with *problem, or 1. */
+int borg_script_fits(const borg_script *script, borg_problem *problem);
+
 #endif

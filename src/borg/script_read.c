@@ -323,5 +323,5 @@ iris_status borg_script_read(borg_script *script, borg_problem *problem, const b
         *problem = r.lexer.problem;
         return IRIS_ERR_DATA;
     }
-    return borg_script_check(script, problem) ? IRIS_OK : IRIS_ERR_DATA;
+    return borg_script_check(script, problem) && borg_script_fits(script, problem) ? IRIS_OK : IRIS_ERR_DATA;
 }

@@ -122,12 +122,24 @@ static void contents_are_checked(void **state)
     }
 }
 
+/* Published values of FNV-1a, in one piece and in two. */
+static void numbers_of_scripts(void **state)
+{
+    (void)state;
+    static const uint8_t foobar[] = {'f', 'o', 'o', 'b', 'a', 'r'};
+    assert_true(borg_chunk_number(0, foobar, 6) == 0xbf9cf968u);
+    assert_true(borg_chunk_number(0, foobar, 1) == 0xe30c2799u);
+    assert_true(borg_chunk_number(borg_chunk_number(0, foobar, 2), foobar + 2, 4) == 0xbf9cf968u);
+    assert_true(borg_chunk_number(7, NULL, 6) == 7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(is_read),
         cmocka_unit_test(every_damage_is_seen),
         cmocka_unit_test(contents_are_checked),
+        cmocka_unit_test(numbers_of_scripts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

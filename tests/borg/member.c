@@ -286,6 +286,32 @@ static void others_are_not_heard(void **state)
     assert_int_equal(team[1].member.elsewhere, 1);
 }
 
+/* START: this action alone, by hand. */
+static size_t chunk_of(uint8_t verb, int32_t a, int32_t b)
+{
+    static const uint8_t head[] = {'B', 'C', 1, 1, 10, 0, 60, 0, 0, 0, 1, 0, 0,
+                                   0,   0,   0, 0, 0,  4, 0,  0, 0, 0, 0, 1};
+    static const uint8_t lengths_of[] = {2, 0, 2, 0, 8, 4, 2, 0, 0};
+    const size_t n = lengths_of[verb], bytes = sizeof head + 2 + n;
+    uint8_t *c = chunks[0];
+    uint32_t sum = 2166136261u;
+    memcpy(c, head, sizeof head);
+    c[8] = (uint8_t)bytes;
+    c[16 + 3] = (uint8_t)(2 + n);
+    c[25] = verb;
+    c[26] = 0;
+    for (size_t j = 0; j < n; j++) {
+        c[27 + j] = (uint8_t)((uint32_t)(j >= 4 ? b : a) >> 8 * (j % 4));
+    }
+    for (size_t j = 0; j < bytes; j++) {
+        sum = j >= 12 && j < 16 ? sum : (sum ^ c[j]) * 16777619u;
+    }
+    for (int j = 0; j < 4; j++) {
+        c[12 + j] = (uint8_t)(sum >> 8 * j);
+    }
+    return bytes;
+}
+
 static void events_and_states(void **state)
 {
     (void)state;
@@ -312,29 +338,7 @@ static void events_and_states(void **state)
     gather(1, 0);
     borg_member *m = &team[0].member;
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-        uint8_t *c = chunks[0];
-        /* START: this action alone, by hand */
-        const uint8_t head[] = {'B', 'C', 1, 1, 10, 0, 60, 0, 0, 0, 1, 0, 0,
-                                0,   0,   0, 0, 0,  4, 0,  0, 0, 0, 0, 1};
-        static const uint8_t lengths_of[] = {2, 0, 2, 0, 8, 4, 2, 0, 0};
-        const size_t n = lengths_of[all[i].verb];
-        const size_t bytes = sizeof head + 2 + n;
-        uint32_t sum = 2166136261u;
-        memcpy(c, head, sizeof head);
-        c[8] = (uint8_t)bytes;
-        c[16 + 3] = (uint8_t)(2 + n);
-        c[25] = all[i].verb;
-        c[26] = 0;
-        for (size_t j = 0; j < n; j++) {
-            const uint32_t value = (uint32_t)(n == 8 && j >= 4 ? all[i].b : all[i].a);
-            c[27 + j] = (uint8_t)(value >> 8 * (j % 4));
-        }
-        for (size_t j = 0; j < bytes; j++) {
-            sum = j >= 12 && j < 16 ? sum : (sum ^ c[j]) * 16777619u;
-        }
-        for (int j = 0; j < 4; j++) {
-            c[12 + j] = (uint8_t)(sum >> 8 * j);
-        }
+        const size_t bytes = chunk_of(all[i].verb, all[i].a, all[i].b);
         borg_member_config config = config_of(0);
         config.bytes = bytes;
         const uint8_t was = m->state;

@@ -201,8 +201,9 @@ static void limits(void **state)
     /* A chunk that is too long, and one that has room for 512 bytes and gets less. */
     uint8_t bytes[BORG_CHUNK_BYTES_MAX];
     size_t length = 0;
-    assert_int_equal(read_text(repeated(TWO, "REF(20):UNITS(4 OF 4).Go(1,2) ", 60, "END")), IRIS_OK);
-    assert_int_equal(borg_script_decompose(bytes, sizeof bytes, &length, &script, 1), IRIS_ERR_RANGE);
+    assert_int_equal(read_text(repeated(TWO, "REF(20):UNITS(4 OF 4).Go(1,2) ", 60, "END")), IRIS_ERR_DATA);
+    assert_non_null(strstr(problem.expected, "512 bytes"));
+    length = 0;
     assert_int_equal(read_text(report), IRIS_OK);
     assert_int_equal(borg_script_decompose(bytes, sizeof bytes, &length, &script, 1), IRIS_OK);
     assert_int_equal(borg_script_decompose(bytes, length, &length, &script, 1), IRIS_OK);
@@ -215,6 +216,68 @@ static void limits(void **state)
     assert_int_equal(borg_script_read(&script, &problem, &missing), IRIS_ERR_ARG);
     assert_int_equal(borg_script_read(&script, &problem, &long_one), IRIS_ERR_ARG);
     assert_int_equal(borg_script_read(&script, NULL, &none), IRIS_ERR_ARG);
+}
+
+/* The place is that of the statement with which a group is too much. */
+static void chunks_that_are_too_much(void **state)
+{
+    (void)state;
+    char text[6000] = "START\n10 UNITS=1: LineFollow, ObjDetect\n20 UNITS=1: Stop\n";
+    const size_t begin = strlen(text);
+    static const struct {
+        const char *one;
+        int32_t most;
+        const char *word;
+    } all[] = {
+        /* 16 bytes of header, 13 of START, and 16 for each line: 509, and 525. */
+        {"IF (REF(20):UNITS(1).BatteryLow OR REF(10):UNITS(1).Bumped) [ REF(20):UNITS(1).Stop ]\n", 30,
+         "512 bytes"},
+        /* One handler each, and START. */
+        {"IF (REF(20):UNITS(1).Bumped) [ REF(20):UNITS(1).Stop ]\n", 31, "32 handlers"},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        for (int32_t extra = 0; extra < 3; extra++) {
+            text[begin] = '\0';
+            for (int32_t j = 0; j < all[i].most + extra; j++) {
+                strcat(text, all[i].one);
+            }
+            strcat(text, "END");
+            const iris_status status = read_text(text);
+            if (status != (extra ? IRIS_ERR_DATA : IRIS_OK)) {
+                fail_msg("%d %d: %d:%d %s", (int)i, (int)extra, (int)problem.line, (int)problem.column,
+                         problem.expected);
+            }
+            if (extra) {
+                assert_int_equal(problem.line, 4 + all[i].most);
+                assert_non_null(strstr(problem.expected, all[i].word));
+            }
+        }
+    }
+}
+
+/* And that of the group where no statement alone is. */
+static void chunks_beyond_a_machine(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *word;
+    } all[] = {
+        {"START\n10 UNITS=17: Stop\nIF (REF(10):UNITS(1).Bumped) [ REF(10):UNITS(16 OF 17).Stop ] END",
+         "16 units"},
+        {"START\n10 UNITS=2: Stop\nIF (REF(10):UNITS(1).Bumped) [ REF(10):UNITS(1 OF 2).Stop ]"
+         "IF (REF(10):UNITS(1).Bumped) [ REF(10):UNITS(1 OF 2).Stop ] IF (REF(10):UNITS(1).Bumped) [ "
+         "REF(10):UNITS(1 OF 2).Stop ] IF (REF(10):UNITS(1).Bumped) [ REF(10):UNITS(1 OF 2).Stop ]"
+         "IF (REF(10):UNITS(1).Bumped) [ REF(10):UNITS(1 OF 2).Stop ] END",
+         "4 choices"},
+        {"START\n10 UNITS=99: Stop\nIF (REF(10):UNITS(24).Bumped) [ REF(10):UNITS(99 OF 99).Stop ] END",
+         "24 different"},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        assert_int_equal(read_text(all[i].text), IRIS_ERR_DATA);
+        assert_int_equal(problem.line, 2);
+        assert_int_equal(problem.column, 4);
+        assert_non_null(strstr(problem.expected, all[i].word));
+    }
 }
 
 static void formatted(void **state)
@@ -263,6 +326,8 @@ int main(void)
         cmocka_unit_test(extensions),
         cmocka_unit_test(wrong_scripts),
         cmocka_unit_test(limits),
+        cmocka_unit_test(chunks_that_are_too_much),
+        cmocka_unit_test(chunks_beyond_a_machine),
         cmocka_unit_test(formatted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,15 +11,16 @@
 #include "json.h"
 
 static const char help[] =
-    "usage: iris borg check SCRIPT [--json]\n"
+    "usage: iris borg check SCRIPT [--timeout S] [--json]\n"
     "       iris borg format SCRIPT [-o OUT]\n"
-    "       iris borg decompose SCRIPT [--chunks] [--bytecode] [--json] [-o OUT]\n\n"
+    "       iris borg decompose SCRIPT [--timeout S] [--chunks] [--bytecode] [--json] [-o OUT]\n\n"
     "BorgCode, one script for a team of robots: check says what is wrong with it, format writes it in one\n"
     "form, and decompose takes it apart into a chunk for each group of robots.\n\n"
+    "  --timeout S seconds of groups for which the script names none, 1 to 65535; default: 60\n"
     "  --chunks    SCRIPT is the text of chunks, as decompose writes them and people change them\n"
     "  --bytecode  writes the bytes of chunks, one after the other, at most 512 each\n"
-    "  --json      one JSON object: file, groups or chunks, each with ref, units, timeout_s, bytes (of\n"
-    "              bytecode), and of chunks their text\n"
+    "  --json      one JSON object: file, script (its number, the same in all of a team), groups or chunks,\n"
+    "              each with ref, units, timeout_s, bytes (of bytecode), and of chunks their text\n"
     "  -o OUT      default: standard output\n\n"
     "  script    = START [TIMEOUT=s] {statement} END     statement = group | IF | WHILE | effect\n"
     "  group     = UNITS=n [TIMEOUT=s] : action {, action} [;]        with a line number before it\n"
@@ -43,6 +44,8 @@ typedef struct {
 typedef struct {
     const char *path, *output;
     int chunks, bytecode, json;
+    const char *timeout;
+    int32_t timeout_s;
     char source[BORG_TEXT_BYTES_MAX];
     borg_text text;
     borg_script script;
@@ -89,16 +92,17 @@ static int write_piece_text(work *w)
 
 static int decompose_script(work *w)
 {
+    if (w->script.timeout_s == 0) {
+        w->script.timeout_s = (uint16_t)w->timeout_s; /* 0: none was asked for */
+    }
     for (int32_t i = 0; i < w->script.group_count; i++) {
         if (!add_piece(w)) {
             return EXIT_BAD_DATA;
         }
         piece *p = &w->pieces[w->count];
         if (borg_script_decompose(p->bytes, sizeof p->bytes, &p->length, &w->script, i) != IRIS_OK) {
-            const borg_problem problem = {w->script.groups[i].place.line, w->script.groups[i].place.column,
-                                          "expected less for this group: its chunk has more than 512 bytes, "
-                                          "or more than 32 handlers"};
-            return complain_at(w, &problem);
+            complain(w->path, "a chunk is too long"); /* which was seen before */
+            return EXIT_BAD_DATA;
         }
         if (!write_piece_text(w)) {
             return EXIT_BAD_DATA;
@@ -152,6 +156,12 @@ static void write_json(FILE *file, const work *w, int with_text)
     json_open(&json, '{');
     json_key(&json, "file");
     json_string(&json, w->path);
+    uint32_t number = 0;
+    for (int i = 0; i < w->count; i++) {
+        number = borg_chunk_number(number, w->pieces[i].bytes, w->pieces[i].length);
+    }
+    json_key(&json, "script");
+    json_integer(&json, number);
     json_key(&json, with_text ? "chunks" : "groups");
     json_open(&json, '[');
     for (int i = 0; i < w->count; i++) {
@@ -257,6 +267,8 @@ static const char *asked_for(const arguments *args, const work *w)
         complain(w->chunks ? "--chunks" : "--bytecode", "only with decompose");
     } else if (kind == 0 && strcmp(w->output, "-") != 0) {
         complain("-o", "not with check");
+    } else if (w->timeout && (kind == 1 || w->chunks)) {
+        complain("--timeout", w->chunks ? "not with --chunks: a chunk has its own" : "not with format");
     } else if (w->json && (kind == 1 || w->bytecode)) {
         complain("--json", "not with %s", kind == 1 ? "format" : "--bytecode");
     } else {
@@ -272,6 +284,7 @@ int cmd_borg(int argc, char **argv)
     const args_option options[] = {{"chunks", 0, &w.chunks, NULL},
                                    {"bytecode", 0, &w.bytecode, NULL},
                                    {"json", 0, &w.json, NULL},
+                                   {"timeout", 0, NULL, &w.timeout},
                                    {"output", 'o', NULL, &output}};
     arguments args = {.help = help, .options = options, .option_count = sizeof options / sizeof options[0]};
     int code = args_parse(&args, argc, argv);
@@ -279,6 +292,10 @@ int cmd_borg(int argc, char **argv)
         return code;
     }
     w.output = output ? output : "-";
+    const args_whole timeout = {"--timeout", w.timeout, &w.timeout_s, 1, UINT16_MAX};
+    if (w.timeout && !args_wholes(&timeout, 1)) {
+        return EXIT_BAD_CALL;
+    }
     const char *what = asked_for(&args, &w);
     if (!what) {
         return EXIT_BAD_CALL;

@@ -93,6 +93,11 @@ typedef struct {
  * O(bytes). */
 iris_status borg_chunk_check(const uint8_t *chunk, size_t bytes);
 
+/* The number of a script, by which the machines of its team know each other: of the chunks of all its groups, one after
+ * the other. before: 0 with the first one, then what this returned. So it differs with everything that machines do, and
+ * not with comments. FNV-1a; a null pointer changes nothing. O(bytes). */
+uint32_t borg_chunk_number(uint32_t before, const uint8_t *chunk, size_t bytes);
+
 /* ---- readers of a chunk that was checked; O(1) each ---- */
 
 static inline uint16_t borg_chunk_two(const uint8_t *at)

@@ -86,7 +86,8 @@ typedef struct {
 } borg_script;
 
 /* Reads and checks a script: unknown REFs, more winners than units, targets of groups that do not detect, blocks
- * that can never run, numbers that do not rise, and what stands after END. IRIS_ERR_ARG: a null pointer, or more than
+ * that can never run, numbers that do not rise, what stands after END, and groups whose chunk would be too long, or more
+ * than a member (member.h) can run. IRIS_ERR_ARG: a null pointer, or more than
  * BORG_TEXT_BYTES_MAX bytes; IRIS_ERR_DATA: *problem says where and what, script is undefined.
  * O(length + blocks * 2^BORG_DIFFERENT_MAX). */
 iris_status borg_script_read(borg_script *script, borg_problem *problem, const borg_text *text);
@@ -100,8 +101,8 @@ iris_status borg_script_format(char *out, size_t capacity, size_t *length, borg_
                                borg_problem *problem, const borg_text *text);
 
 /* The chunk of the group with this index, from 0; *bytes: its length. script: as borg_script_read left it.
- * IRIS_ERR_ARG: a null pointer or no such group; IRIS_ERR_RANGE: more than `capacity` or BORG_CHUNK_BYTES_MAX bytes,
- * or than BORG_HANDLERS_MAX handlers; chunk is undefined. O(effects * terms). */
+ * IRIS_ERR_ARG: a null pointer or no such group; IRIS_ERR_RANGE: more than `capacity` bytes; chunk is undefined.
+ * O(effects * terms). */
 iris_status borg_script_decompose(uint8_t *chunk, size_t capacity, size_t *bytes, const borg_script *script,
                                   int32_t group);
 
