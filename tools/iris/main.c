@@ -27,6 +27,7 @@ static const command commands[] = {
     {"stereo", cmd_stereo, "how far things are, from two cameras side by side"},
     {"carve", cmd_carve, "the shape of a thing from its silhouettes"},
     {"map", cmd_map, "a map of the floor from depths, and where the robot is in it"},
+    {"robot", cmd_robot, "a robot file: checked, and shown with what its devices see"},
     {"borg", cmd_borg, "one script for a team of robots: checked, and a chunk for each group"},
     {"cameras", cmd_cameras, "which cameras there are, with formats, sizes, and rates"},
     {"controls", cmd_controls, "a camera's exposure, gain, and what else it lets be set"},
