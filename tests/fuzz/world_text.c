@@ -15,7 +15,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t bytes)
             abort();
         }
         for (int i = 0; i < 8; i++) {
-            const osiris_pose at = {i * 1000 - 4000, i << 17, (iris_angle)(i * 9000)}, there = {1 << 20, 0, 0};
+            const osiris_pose at = {i * 1000 - 4000, i << 17, (iris_angle)(i * 9000)},
+                              there = {1 << 20, 0, 0};
             iris_angle angle = 0;
             int32_t offset = 0;
             const int32_t range = osiris_world_range(&world, at, 1 << (i + 12));
