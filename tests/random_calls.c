@@ -97,9 +97,10 @@ static int operations_of(const char *path)
 static void every_operation_is_called(void **state)
 {
     (void)state;
-    static const char *const folders[] = {"include/iris", "include/iris/xt", "include/iris/3d"};
+    static const char *const folders[] = {"include/iris", "include/iris/xt", "include/iris/3d",
+                                          "include/iris/osiris"};
     int count = 0;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         char path[512];
         struct dirent *entry;
         DIR *folder = opendir(folders[i]);

@@ -467,7 +467,7 @@ void calls_end(iris_status status)
 {
     int refused = status >= IRIS_ERR_ARG && status <= IRIS_ERR_SCRATCH;
     ALLOW(world.now.bytes, world.used);
-    if ((int)status < 0 || status > IRIS_ERR_END) {
+    if ((int)status < 0 || status > IRIS_ERR_TIMEOUT) {
         report(status, "no status:", status);
     }
     world.accepted = !refused;
