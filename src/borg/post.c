@@ -93,7 +93,7 @@ static int is_first(borg_sender *s, uint16_t sequence)
     }
     if (is_newer(sequence, s->sequence)) {
         const int32_t step = (uint16_t)(sequence - s->sequence);
-        s->before = step > REMEMBERED ? 0 : (uint16_t)((s->before << 1 | 1) << (step - 1));
+        s->before = (uint16_t)(step > REMEMBERED ? 0 : (s->before << 1 | 1) << (step - 1));
         s->sequence = sequence;
         return 1;
     }
