@@ -91,8 +91,8 @@ static void add_range(osiris_obstacle *nearest, int32_t *knows, const osiris_rob
     const osiris_pose at = met_at(robot->plan, device, reach, direction);
     const int32_t spread =
         iris_q30_mul(reach, iris_sin_q30((iris_angle)osiris_within(device->width / 2, 0, 16384)));
-    const int32_t distance = osiris_within(at.x_mm - half.x_mm, 0, INT32_MAX);
-    const int in_lane = at.x_mm > 0 && osiris_size_of(at.y_mm) - spread <= half.y_mm;
+    const int32_t distance = osiris_within(iris_sub_sat(at.x_mm, half.x_mm), 0, INT32_MAX);
+    const int in_lane = at.x_mm > 0 && iris_sub_sat(osiris_size_of(at.y_mm), spread) <= half.y_mm;
     if (reading->validity == OSIRIS_VALID && in_lane && (!nearest->seen || distance < nearest->distance_mm)) {
         const osiris_obstacle found = {distance, reading->uncertainty[0], i, 1};
         *nearest = found;
@@ -198,11 +198,11 @@ iris_status osiris_robot_line(osiris_line *line, const osiris_robot *robot)
     if (reading->validity != OSIRIS_VALID) {
         return IRIS_ERR_END;
     }
-    const osiris_pose aside_of_it = {0, -reading->values[0], 0};
+    const osiris_pose aside_of_it = {0, iris_sub_sat(0, reading->values[0]), 0};
     const osiris_pose at = osiris_pose_after(device->place, aside_of_it);
-    line->offset_mm = -at.y_mm;
+    line->offset_mm = iris_sub_sat(0, at.y_mm);
     line->ahead_mm = at.x_mm;
-    line->angle = iris_angle_wrap(reading->values[1] - device->place.heading);
+    line->angle = iris_angle_wrap(iris_angle_wrap(reading->values[1]) - device->place.heading);
     return IRIS_OK;
 }
 
