@@ -21,6 +21,7 @@ int cmd_rectify(int argc, char **argv);
 int cmd_robot(int argc, char **argv);
 int cmd_shape(int argc, char **argv);
 int cmd_stereo(int argc, char **argv);
+int cmd_swarm(int argc, char **argv);
 
 /* operation_<name> of each. */
 #define OPERATION(name) extern const operation operation_##name;

@@ -29,6 +29,7 @@ static const command commands[] = {
     {"map", cmd_map, "a map of the floor from depths, and where the robot is in it"},
     {"robot", cmd_robot, "a robot file: checked, and shown with what its devices see"},
     {"borg", cmd_borg, "one script for a team of robots: checked, and a chunk for each group"},
+    {"swarm", cmd_swarm, "a whole team of robots in a simulated world: paths, signals, and how it ends"},
     {"cameras", cmd_cameras, "which cameras there are, with formats, sizes, and rates"},
     {"controls", cmd_controls, "a camera's exposure, gain, and what else it lets be set"},
     {"capture", cmd_capture, "a camera's frames into files"},
