@@ -98,9 +98,9 @@ static void every_operation_is_called(void **state)
 {
     (void)state;
     static const char *const folders[] = {"include/iris", "include/iris/xt", "include/iris/3d",
-                                          "include/iris/osiris"};
+                                          "include/iris/osiris", "include/iris/runtime"};
     int count = 0;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 5; i++) {
         char path[512];
         struct dirent *entry;
         DIR *folder = opendir(folders[i]);

@@ -19,6 +19,7 @@ int cmd_map(int argc, char **argv);
 int cmd_pipe(int argc, char **argv);
 int cmd_rectify(int argc, char **argv);
 int cmd_robot(int argc, char **argv);
+int cmd_run(int argc, char **argv);
 int cmd_shape(int argc, char **argv);
 int cmd_stereo(int argc, char **argv);
 int cmd_swarm(int argc, char **argv);

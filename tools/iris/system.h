@@ -18,6 +18,9 @@ int system_is_terminal(int fd);
 int64_t system_clock_ms(void);
 int64_t system_clock_us(void);
 
+/* Less when a signal comes. */
+void system_sleep_ms(int32_t ms);
+
 /* Memory aligned to IRIS_SCRATCH_ALIGN, for free(); null when there is none. */
 void *system_scratch(size_t bytes);
 

@@ -49,6 +49,12 @@ int64_t system_clock_ms(void)
     return system_clock_us() / 1000;
 }
 
+void system_sleep_ms(int32_t ms)
+{
+    const struct timespec time = {ms / 1000, ms % 1000 * 1000000L};
+    (void)nanosleep(&time, NULL);
+}
+
 void *system_scratch(size_t bytes)
 {
     void *memory;

@@ -36,6 +36,11 @@ int64_t system_clock_us(void)
     return system_clock_ms() * 1000;
 }
 
+void system_sleep_ms(int32_t ms)
+{
+    Sleep((DWORD)ms);
+}
+
 /* malloc aligns to 16. */
 void *system_scratch(size_t bytes)
 {
