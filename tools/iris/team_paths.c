@@ -286,24 +286,93 @@ static double length_of(const team_robot *robot)
     return length;
 }
 
-static void draw_words(const drawing *d)
+/* --- names beside what they name --- */
+
+#define TAKEN_MAX 512
+#define LETTER_H  (7 * TEXT)
+
+/* Boxes that no further name is to cover; when there are too many, the last ones are not kept. */
+typedef struct {
+    double box[TAKEN_MAX][4]; /* left, top, right, bottom */
+    int count;
+} taken_places;
+
+static void take_place(taken_places *taken, double left, double top, double w, double h)
 {
-    char text[160];
-    snprintf(text, sizeof text, "%.40s: paths of %.1f s, a dot every %d s, ring = start", d->record->title,
-             d->record->time_ms / 1000.0, DOT_EVERY);
-    put(d, LEFT, 14, text, ink);
-    draw_numbers(d);
+    if (taken->count < TAKEN_MAX) {
+        double *box = taken->box[taken->count++];
+        box[0] = left, box[1] = top, box[2] = left + w, box[3] = top + h;
+    }
+}
+
+static int is_free(const taken_places *taken, double left, double top, double w, double h)
+{
+    int is = 1;
+    for (int i = 0; i < taken->count; i++) {
+        const double *box = taken->box[i];
+        is &= left >= box[2] || left + w <= box[0] || top >= box[3] || top + h <= box[1];
+    }
+    return is;
+}
+
+/* Around a disc, where nothing else is; right of it and below where all is taken. */
+static void put_name(const drawing *d, taken_places *taken, canvas_point middle, double radius,
+                     const char *name, iris_color color)
+{
+    const double w = CELL * (double)strlen(name), h = LETTER_H;
+    const double places[8][2] = {{radius, radius - 4},      {-radius - w, radius - 4},
+                                 {radius, -radius - h + 4}, {-radius - w, -radius - h + 4},
+                                 {-w / 2, -radius - h - 2}, {-w / 2, radius + 2},
+                                 {2 * radius, -h / 2},      {-2 * radius - w, -h / 2}};
+    int k = 0;
+    while (k < 8 && !is_free(taken, middle.x + places[k][0], middle.y + places[k][1], w, h)) {
+        k++;
+    }
+    k %= 8;
+    put(d, middle.x + places[k][0], middle.y + places[k][1], name, color);
+    take_place(taken, middle.x + places[k][0], middle.y + places[k][1], w, h);
+}
+
+static void put_names(const drawing *d)
+{
+    taken_places taken = {.count = 0};
+    char name[32];
     for (int32_t i = 0; i < d->world->object_count; i++) {
         const osiris_object *o = &d->world->objects[i];
         const canvas_point middle = at(d, (team_place){o->x_mm, o->y_mm});
-        put(d, middle.x - 3.0 * CELL, middle.y - fmax(o->radius_mm * d->scale, 7) - 20, "object", ink);
+        const double radius = fmax(o->radius_mm * d->scale, 7);
+        take_place(&taken, middle.x - radius, middle.y - radius, 2 * radius, 2 * radius);
     }
     for (int32_t i = 0; i < d->record->robot_count; i++) {
         const team_robot *robot = &d->record->robots[i];
-        const canvas_point end = at(d, robot->path[robot->path_count - 1]), legend = legend_at(d, i);
+        const canvas_point end = at(d, robot->path[robot->path_count - 1]);
+        take_place(&taken, end.x - MARK, end.y - MARK, 2 * MARK, 2 * MARK);
+    }
+    for (int32_t i = 0; i < d->record->robot_count; i++) {
+        const team_robot *robot = &d->record->robots[i];
+        team_robot_name(name, robot);
+        put_name(d, &taken, at(d, robot->path[robot->path_count - 1]), MARK + 4, name, team_color(i));
+    }
+    for (int32_t i = 0; i < d->world->object_count; i++) {
+        const osiris_object *o = &d->world->objects[i];
+        put_name(d, &taken, at(d, (team_place){o->x_mm, o->y_mm}), fmax(o->radius_mm * d->scale, 7) + 3,
+                 "object", ink);
+    }
+}
+
+static void draw_words(const drawing *d)
+{
+    char text[160];
+    snprintf(text, sizeof text, "%.24s, %.0f s: robots are LINE/UNIT, ring = start, dot = %d s",
+             d->record->title, d->record->time_ms / 1000.0, DOT_EVERY);
+    put(d, LEFT, 14, text, ink);
+    draw_numbers(d);
+    put_names(d);
+    for (int32_t i = 0; i < d->record->robot_count; i++) {
+        const team_robot *robot = &d->record->robots[i];
+        const canvas_point legend = legend_at(d, i);
         char name[32];
         team_robot_name(name, robot);
-        put(d, end.x + MARK + 4, end.y + MARK - 2, name, team_color(i));
         snprintf(text, sizeof text, "%s %s, %.1f m", name, robot->state, length_of(robot) / 1000);
         put(d, legend.x + 44, legend.y - 7, text, ink);
     }
