@@ -170,6 +170,12 @@ static void count_up(uint16_t *count)
     *count = (uint16_t)(*count + (*count < UINT16_MAX));
 }
 
+/* The post's clock, which stands still while the network is away. */
+static uint32_t post_ms(const borg_member *m)
+{
+    return m->now_ms - m->away_ms;
+}
+
 static void hear(borg_member *m, const borg_message *message)
 {
     borg_signal signal;
@@ -183,7 +189,7 @@ static void hear(borg_member *m, const borg_message *message)
         }
         return;
     }
-    if (borg_post_hear(&m->post, message, m->now_ms, &signal)) {
+    if (borg_post_hear(&m->post, message, post_ms(m), &signal)) {
         (void)borg_machine_signal(&m->machine, &signal);
     }
     for (int32_t i = 0; i < m->contest_count; i++) {
@@ -230,6 +236,7 @@ iris_status borg_member_step(borg_member *member, const borg_transport *transpor
     if (!member || !transport) {
         return IRIS_ERR_ARG;
     }
+    member->away_ms += member->is_away ? now_ms - member->now_ms : 0;
     member->now_ms = now_ms;
     iris_status status = receive(member, transport);
     for (int32_t i = 0; i < member->contest_count; i++) {
@@ -238,9 +245,10 @@ iris_status borg_member_step(borg_member *member, const borg_transport *transpor
         }
     }
     settle(member);
-    for (int32_t i = 0; i < MESSAGES_MAX && borg_post_next(&member->post, now_ms, &message); i++) {
+    for (int32_t i = 0; i < MESSAGES_MAX && borg_post_next(&member->post, post_ms(member), &message); i++) {
         send(transport, &message, &status);
     }
+    member->is_away = status == IRIS_ERR_IO;
     return status;
 }
 
@@ -315,7 +323,7 @@ int borg_member_order_next(borg_member *member, iris_order *order)
         if (out.what == BORG_DO_ELECT) {
             begin(member, &out);
         } else if (out.what == BORG_DO_MULTICAST) {
-            borg_post_send(&member->post, &out.signal, member->now_ms);
+            borg_post_send(&member->post, &out.signal, post_ms(member));
         } else {
             *order = order_of(&out.action);
             member->state = state_after(member->state, order->verb);

@@ -25,7 +25,7 @@ static borg_bus bus;
 static borg_bus_datagram ring[DEPTH];
 static borg_bus_end ends[TEAM];
 static uint32_t now_ms, noise, loss_percent;
-static int most_at_once, takes_way;
+static int most_at_once, takes_way, network_is_away;
 
 static uint32_t draw(uint32_t end)
 {
@@ -36,8 +36,11 @@ static uint32_t draw(uint32_t end)
 static iris_status lossy_send(void *context, const uint8_t *bytes, size_t count)
 {
     robot *r = context;
-    iris_status status = IRIS_OK;
-    for (int copies = draw(100) < loss_percent ? 0 : draw(100) < loss_percent ? 2 : 1; copies > 0; copies--) {
+    iris_status status = network_is_away ? IRIS_ERR_IO : IRIS_OK;
+    for (int copies = network_is_away || draw(100) < loss_percent ? 0
+                      : draw(100) < loss_percent                  ? 2
+                                                                  : 1;
+         copies > 0; copies--) {
         status = r->bus.send(r->bus.context, bytes, count);
     }
     return status;
@@ -48,6 +51,10 @@ static iris_status lossy_receive(void *context, uint8_t *bytes, size_t capacity,
 {
     robot *r = context;
     iris_status status;
+    if (network_is_away) {
+        *count = 0;
+        return IRIS_ERR_IO;
+    }
     do {
         status = r->bus.receive(r->bus.context, bytes, capacity, count);
     } while (status == IRIS_OK && *count > 0 && draw(100) < loss_percent / 4);
@@ -144,7 +151,8 @@ static void go_on(uint32_t for_ms)
                 continue;
             }
             assert_int_equal(borg_member_place(&r->member, r->x, r->y, 100 - i), IRIS_OK);
-            assert_int_equal(borg_member_step(&r->member, &r->lossy, now_ms), IRIS_OK);
+            assert_int_equal(borg_member_step(&r->member, &r->lossy, now_ms),
+                             network_is_away ? IRIS_ERR_IO : IRIS_OK);
             while (borg_member_order_next(&r->member, &order)) {
                 obey(r, &order);
             }
@@ -198,8 +206,14 @@ static void mission(uint32_t seed, uint32_t loss)
     assert_int_equal(team[2].last.b, 1000);
     go_on(12000);
     states_are(there);
+    for (int i = 0; i < TEAM; i++) {
+        assert_int_equal(borg_member_clock_runs(&team[i].member), 1);
+    }
     go_on(62000);
     states_are(ended);
+    for (int i = 0; i < TEAM; i++) {
+        assert_int_equal(borg_member_clock_runs(&team[i].member), 0);
+    }
     for (int i = 0; i < TEAM; i++) {
         assert_int_equal(team[i].gos, i == 2 || i == 4);
         assert_int_equal(team[i].follows, i == 0);
@@ -253,6 +267,26 @@ static void winners_are_replaced(void **state)
     assert_int_equal(team[1].last.a, 9000);
     assert_int_equal(team[2].last.a, 9000);
     assert_int_equal(team[3].gos, 1);
+}
+
+/* What is seen while there is no network is told when there is one again, after however long. */
+static void a_network_comes_back(void **state)
+{
+    (void)state;
+    gather(6, 10);
+    go_on(6000);
+    start_all();
+    go_on(1000);
+    network_is_away = 1;
+    go_on(1000);
+    tell(0, IRIS_EVENT_OBJECT_DETECTED, 3000, 1000);
+    go_on(30000);
+    assert_int_equal(most_at_once, 0);
+    network_is_away = 0;
+    go_on(6000);
+    assert_string_equal(borg_member_state(&team[2].member), "going");
+    assert_string_equal(borg_member_state(&team[4].member), "going");
+    assert_int_equal(most_at_once, 2);
 }
 
 /* What another script's machines say, and noise, is of no interest; a machine with the same number is noticed. */
@@ -403,6 +437,7 @@ int main(void)
         cmocka_unit_test(without_loss),         cmocka_unit_test(with_loss_and_duplicates),
         cmocka_unit_test(winners_are_replaced), cmocka_unit_test(others_are_not_heard),
         cmocka_unit_test(events_and_states),    cmocka_unit_test(wrong_calls),
+        cmocka_unit_test(a_network_comes_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,8 @@
  *
  * What a chunk says and orders do not: an object that is seen or lost, the end of a Go, of a line, a bump, a low battery,
  * and a stop become signals of the machine's own. The end of a Turn is none. A winner whose Go fails leaves its election,
- * so that another one is chosen. VOTE_LOST comes to who has not won within BORG_MEMBER_LOST_MS, and it may win later, in
+ * so that another one is chosen. While the transport says that the network is away (IRIS_ERR_IO), time stands still for the post:
+ * signals wait until it is back, however long that takes. VOTE_LOST comes to who has not won within BORG_MEMBER_LOST_MS, and it may win later, in
  * place of a machine that fails.
  */
 #ifndef IRIS_BORG_MEMBER_H
@@ -62,9 +63,11 @@ typedef struct {
     borg_contest contests[BORG_MEMBER_ELECTIONS_MAX];
     borg_address me;
     uint32_t now_ms;
+    uint32_t away_ms; /* in all that the network was away */
     int32_t x_mm, y_mm, battery_percent;
     uint8_t contest_count;
     uint8_t state;
+    uint8_t is_away; /* 1: the network was, at the last step */
     uint16_t
         elsewhere; /* messages of a later machine with this one's number: two robots have it; stays at 65535 */
 } borg_member;
@@ -95,6 +98,12 @@ iris_status borg_member_event(borg_member *member, const iris_event *event);
 /* In a word: "waiting" (for START), "following", "exploring", "mapping", "detecting", "turning", "going", "reached" (until
  * it drives again), "stopped", or "failed". Static storage; never null. O(1). */
 const char *borg_member_state(const borg_member *member);
+
+/* 1 from each ResetTime until the TIME_OUT that follows it, else 0; member is not null. O(1). */
+static inline int borg_member_clock_runs(const borg_member *member)
+{
+    return member->machine.clock_runs;
+}
 
 #ifdef __cplusplus
 }
