@@ -75,7 +75,7 @@ refuses "no script" 1 'nothing.txt:1:1: expected START' check nothing.txt
 refuses "a file that is not there" 1 'nowhere.borg: ' check nowhere.borg
 head -c 70000 /dev/zero > large.borg
 refuses "a large file" 1 'large.borg: longer than' check large.borg
-for wrong in "" "check" "run few.borg" "check a b" "check --bytecode a" "format --chunks a" "format --json a" "check -o x a" \
+for wrong in "" "check" "run" "walk few.borg" "check a b" "check --bytecode a" "format --chunks a" "format --json a" "check -o x a" \
     "decompose --json --bytecode a" "check --timeout 0 a" "check --timeout 65536 a" "format --timeout 9 a" \
     "decompose --chunks --timeout 9 a"; do
     # shellcheck disable=SC2086

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "args.h"
+#include "cmd_borg_run.h"
 #include "commands.h"
 #include "complain.h"
 #include "file_write.h"
@@ -13,7 +14,8 @@
 static const char help[] =
     "usage: iris borg check SCRIPT [--timeout S] [--json]\n"
     "       iris borg format SCRIPT [-o OUT]\n"
-    "       iris borg decompose SCRIPT [--timeout S] [--chunks] [--bytecode] [--json] [-o OUT]\n\n"
+    "       iris borg decompose SCRIPT [--timeout S] [--chunks] [--bytecode] [--json] [-o OUT]\n"
+    "       iris borg run SCRIPT ..., which has a help of its own: iris borg run --help\n\n"
     "BorgCode, one script for a team of robots: check says what is wrong with it, format writes it in one\n"
     "form, and decompose takes it apart into a chunk for each group of robots.\n\n"
     "  --timeout S seconds of groups for which the script names none, 1 to 65535; default: 60\n"
@@ -260,7 +262,8 @@ static const char *asked_for(const arguments *args, const work *w)
         kind++;
     }
     if (kind == 3) {
-        complain(*what ? what : NULL, "check, format, or decompose is to stand behind borg (see --help)");
+        complain(*what ? what : NULL,
+                 "check, format, decompose, or run is to stand behind borg (see --help)");
     } else if (args->operand_count != 2) {
         complain(NULL, "one script is needed (see --help)");
     } else if (kind < 2 && (w->chunks || w->bytecode)) {
@@ -279,6 +282,9 @@ static const char *asked_for(const arguments *args, const work *w)
 
 int cmd_borg(int argc, char **argv)
 {
+    if (argc > 1 && strcmp(argv[1], "run") == 0) {
+        return cmd_borg_run(argc - 1, argv + 1);
+    }
     static work w;
     const char *output = NULL;
     const args_option options[] = {{"chunks", 0, &w.chunks, NULL},
