@@ -100,7 +100,7 @@ TARGETINC  := -Itests/target $(UNITY) -DUNITY_INCLUDE_CONFIG_H
 
 TARGET_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tests/target/*.c))
 START      := $(OUT)/tests/target/startup.o $(OUT)/tests/target/runtime.o
-BOARD      := $(filter-out %/firmware.o $(OUT)/tests/target/test_%,$(TARGET_OBJ))
+BOARD      := $(filter-out %/firmware.o %/team.o $(OUT)/tests/target/test_%,$(TARGET_OBJ))
 FIRMWARE   := $(patsubst tests/target/%.c,$(OUT)/%.elf,$(wildcard tests/target/test_*.c))
 .SECONDARY: $(TARGET_OBJ)
 $(OUT)/tests/target/runtime.o: BASE += -fno-lto -fno-tree-loop-distribute-patterns # memcpy is not a loop that calls memcpy
@@ -109,6 +109,15 @@ $(OUT)/firmware.elf: $(OUT)/firmware_follow.o $(OUT)/tests/target/firmware.o $(B
 	$(SAY)
 	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
 $(OUT)/firmware.elf: BASE += -fcallgraph-info=su
+# One robot of a team.
+$(OUT)/member.elf: $(OUT)/firmware_machine.o $(OUT)/tests/target/team.o $(BOARD) $(LIB)
+	$(SAY)
+	$(Q)$(CC) $(BASE) $(LINK) -o $@ $(filter %.c %.o %.a,$^)
+$(OUT)/member.elf: BASE += -fcallgraph-info=su
+$(OUT)/tests/target/team.o: TARGETINC += -Iinclude
+$(OUT)/firmware_machine.o: examples/firmware_machine.c
+	$(SAY)
+	$(Q)$(CC) $(USERWARN) $(BASE) $(TARGETINC) -Iinclude -c -o $@ $<
 $(OUT)/runtime.ci: tests/target/runtime.c # what is linked to it without being seen by the compiler
 	$(Q)CCACHE_DISABLE=1 $(CC) $(filter-out -flto,$(BASE)) -fno-tree-loop-distribute-patterns -fcallgraph-info=su -c -o $(OUT)/runtime.o $<
 	@test -e $@ # a cache of compilers may leave it out
@@ -178,8 +187,10 @@ verify-modules: $(MODULE)
 	@for elf in $(MODULE); do TIMEOUT=300 tests/target/run $(MACHINE) $$elf --unity; done
 	@for module in $(filter $(MODULE_LARGE),$(MODULE_NAMES)); do echo "ok - $$module # SKIP more memory than $(MACHINE) has"; done
 
-verify-target: lib $(FIRMWARE) $(KERNEL_MODULE) $(if $(DIGEST),$(OUT)/digest.elf)
+verify-target: lib $(FIRMWARE) $(OUT)/member.elf $(KERNEL_MODULE) $(if $(DIGEST),$(OUT)/digest.elf)
 	@for elf in $(FIRMWARE); do tests/target/run $(MACHINE) $$elf --unity; done
+	@test "$$(tests/target/run $(MACHINE) $(OUT)/member.elf | tr -dc '0-9 ')" = ' 11 08 09 11 07 01 01' || printf 'not '; \
+	    echo 'ok - a member of a team explores, goes, and stops'
 	@tests/target/run $(KERNEL_BOARD) $(KERNEL_MODULE) --unity
 	$(if $(DIGEST),@echo '# digests'; tests/check_digests.sh tests/target/run $(MACHINE) $(OUT)/digest.elf)
 	$(PURITY)

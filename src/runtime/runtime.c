@@ -55,7 +55,7 @@ static void keep_event(iris_runtime *runtime, iris_event event)
 /* What runtime or behaviors tell: made of what came in. */
 static void tell(iris_runtime *runtime, iris_event_kind kind, int32_t x, int32_t y)
 {
-    const int32_t values[3] = {kind, x, y};
+    const int32_t values[3] = {(int32_t)kind, x, y};
     (void)iris_journal_output(runtime->journal, IRIS_JOURNAL_EVENT, values, 3);
     keep_event(runtime, (iris_event){kind, x, y});
 }
