@@ -97,10 +97,10 @@ static int operations_of(const char *path)
 static void every_operation_is_called(void **state)
 {
     (void)state;
-    static const char *const folders[] = {"include/iris", "include/iris/xt", "include/iris/3d",
-                                          "include/iris/osiris", "include/iris/runtime"};
+    static const char *const folders[] = {"include/iris",        "include/iris/xt",      "include/iris/3d",
+                                          "include/iris/osiris", "include/iris/runtime", "include/iris/borg"};
     int count = 0;
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < (int)(sizeof folders / sizeof folders[0]); i++) {
         char path[512];
         struct dirent *entry;
         DIR *folder = opendir(folders[i]);
