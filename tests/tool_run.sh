@@ -122,6 +122,13 @@ run --robot "$rover" --replay empty.journal
 [ $code -eq 1 ] && grep -q 'line 1: the journal ends early' err; say $? "an empty journal"
 refuses "no robot" 2 '^iris run: --robot: ' --script drive.script
 refuses "nobody who orders" 2 'nobody gives orders' --robot "$rover"
+if [ -z "$NOT_HERE" ]; then
+    sed 's|/dev/ttyUSB0|nowhere|' "$robots/car.robot" > away.robot
+    refuses "hardware that is away" 1 '^iris run: nowhere: ' --robot away.robot --real --script drive.script
+    refuses "hardware of a robot that has none" 1 '^iris run: here: a driver of the simulator' --robot "$robots/omni.robot" --real \
+        --script drive.script
+fi
+refuses "hardware in a world" 2 '^iris run: --real: ' --robot "$rover" --real --world w --script drive.script
 refuses "an operand" 2 'takes no operands' --robot "$rover" --console drive.script
 refuses "a wrong lease" 2 '^iris run: --lease: ' --robot "$rover" --console --lease 0
 refuses "a world for a replay" 2 '^iris run: --replay: ' --robot "$rover" --replay a.journal --world w

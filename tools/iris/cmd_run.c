@@ -11,14 +11,17 @@
 #include "serial_orders.h"
 
 static const char help[] =
-    "usage: iris run --robot FILE [--world FILE] [--script FILE] [--console] [--serial DEV] [--lease S]\n"
+    "usage: iris run --robot FILE [--world FILE | --real] [--script FILE] [--console] [--serial DEV] "
+    "[--lease S]\n"
     "                [--time S] [--speed N] [--seed N] [--journal FILE] [--json] [-o PICTURE]\n"
     "       iris run --robot FILE --replay FILE [--json] [-o PICTURE]\n\n"
-    "A simulated robot that does what it is ordered: by a script, a person, and a gamepad's sentences, all "
+    "A robot that does what it is ordered: by a script, a person, and a gamepad's sentences, all "
     "at once. A\n"
     "person is obeyed before the gamepad, and that before the script; stop wins, whoever says it.\n\n"
     "  --robot FILE    what the robot is like: examples/robots\n"
     "  --world FILE    walls, lines, and things around it: examples/worlds (default: an open floor)\n"
+    "  --real          the robot itself, not a simulated one: by the serial ports and GPIO lines that FILE "
+    "names\n"
     "  --script FILE   timed orders: lines of SECONDS ORDER\n"
     "  --console       orders from standard input, one on a line\n"
     "  --serial DEV    command sentences ($PIRIS, iris follow writes them) at 115200 baud; each is good for "
@@ -47,12 +50,11 @@ static const char help[] =
     "  turn DEGREES       to the right                         explore [MM/S]     what it has not seen\n"
     "  drive MM/S DEGREES/S                                    map, detect        beside what drives\n"
     "  goto X Y           around what is in the way            reset              the mission's time\n\n"
-    "example: printf 'goto 2500 1000\\n' | iris run --robot examples/robots/rover.robot \\\n"
-    "             --world examples/worlds/room.world --console --speed 100 -o path.bmp\n";
+    "example: iris run --robot examples/robots/rover.robot --world examples/worlds/room.world --console\n";
 
 typedef struct {
     const char *robot, *world, *script, *serial, *journal, *replay, *output;
-    int console, json;
+    int console, json, real;
     int32_t lease_ms, time_s, speed, seed;
 } wishes;
 
@@ -125,7 +127,7 @@ static void tell(const run_session *s, const wishes *w, int code)
 static int run_live(run_session *s, const wishes *w, run_script *script)
 {
     if ((w->script && !run_script_read(script, w->script)) ||
-        !run_body_place(&s->body, w->world, (uint32_t)w->seed) ||
+        !(w->real ? run_body_open(&s->body) : run_body_place(&s->body, w->world, (uint32_t)w->seed)) ||
         (w->serial && !serial_orders_open(w->serial))) {
         return EXIT_BAD_DATA;
     }
@@ -138,8 +140,9 @@ static int run_live(run_session *s, const wishes *w, run_script *script)
     s->has_serial = w->serial != NULL;
     s->lease_ms = w->lease_ms;
     s->limit_ms = (uint32_t)w->time_s * 1000;
-    s->speed = w->speed > 0 ? w->speed : w->console || w->serial ? 1 : 0;
+    s->speed = w->speed > 0 ? w->speed : w->console || w->serial || w->real ? 1 : 0;
     int code = run_session_live(s);
+    run_body_close(&s->body, s->now_ms);
     if (s->record && fclose(s->record) != 0) {
         complain(w->journal, "%s", strerror(errno));
         code = EXIT_BAD_DATA;
@@ -186,6 +189,8 @@ static int are_good(const wishes *w)
         complain("--robot", "a robot file is needed (see --help)");
     } else if (w->replay && (w->world || w->script || w->console || w->serial || w->journal || w->lease_ms)) {
         complain("--replay", "what came in is in the journal: only --robot, --json, and -o go with it");
+    } else if (w->real && (w->world || w->speed || w->replay)) {
+        complain("--real", "the world is what it is: not with --world, --speed, or --replay");
     } else if (!w->replay && !w->script && !w->console && !w->serial) {
         complain(NULL, "nobody gives orders: --script, --console, or --serial is needed (see --help)");
     } else {
@@ -199,11 +204,11 @@ int cmd_run(int argc, char **argv)
     wishes w = {.time_s = 600, .seed = 1};
     const char *lease = NULL, *time = NULL, *speed = NULL, *seed = NULL;
     const args_option options[] = {
-        {"robot", 0, NULL, &w.robot},     {"world", 0, NULL, &w.world},   {"script", 0, NULL, &w.script},
-        {"console", 0, &w.console, NULL}, {"serial", 0, NULL, &w.serial}, {"lease", 0, NULL, &lease},
-        {"time", 0, NULL, &time},         {"speed", 0, NULL, &speed},     {"seed", 0, NULL, &seed},
-        {"journal", 0, NULL, &w.journal}, {"replay", 0, NULL, &w.replay}, {"json", 0, &w.json, NULL},
-        {"output", 'o', NULL, &w.output}};
+        {"robot", 0, NULL, &w.robot},     {"world", 0, NULL, &w.world},    {"script", 0, NULL, &w.script},
+        {"console", 0, &w.console, NULL}, {"serial", 0, NULL, &w.serial},  {"lease", 0, NULL, &lease},
+        {"time", 0, NULL, &time},         {"speed", 0, NULL, &speed},      {"seed", 0, NULL, &seed},
+        {"journal", 0, NULL, &w.journal}, {"replay", 0, NULL, &w.replay},  {"json", 0, &w.json, NULL},
+        {"real", 0, &w.real, NULL},       {"output", 'o', NULL, &w.output}};
     arguments args = {.help = help, .options = options, .option_count = sizeof options / sizeof options[0]};
     const int code = args_parse(&args, argc, argv);
     if (code != ARGS_GO) {

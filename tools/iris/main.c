@@ -28,7 +28,7 @@ static const command commands[] = {
     {"carve", cmd_carve, "the shape of a thing from its silhouettes"},
     {"map", cmd_map, "a map of the floor from depths, and where the robot is in it"},
     {"robot", cmd_robot, "a robot file: checked, and shown with what its devices see"},
-    {"run", cmd_run, "a simulated robot that does what it is ordered, with a journal that replays"},
+    {"run", cmd_run, "a robot that does what it is ordered, with a journal that replays"},
     {"borg", cmd_borg, "one script for a team of robots: checked, and a chunk for each group"},
     {"swarm", cmd_swarm, "a whole team of robots in a simulated world: paths, signals, and how it ends"},
     {"cameras", cmd_cameras, "which cameras there are, with formats, sizes, and rates"},

@@ -70,7 +70,48 @@ int run_body_place(run_body *body, const char *world, uint32_t seed)
         return 0;
     }
     osiris_simulated_begin(&body->simulated, 0);
+    for (int32_t i = 0; i < body->plan.driver_count; i++) {
+        body->drivers.drivers[i] = &osiris_simulated_driver;
+        body->drivers.contexts[i] = &body->simulated;
+    }
     return 1;
+}
+
+int run_body_open(run_body *body)
+{
+    body->is_real = 1;
+    return osiris_drive_init(&body->drive, &body->plan.drive) == IRIS_OK &&
+           real_robot_open(&body->drivers, &body->plan, 0);
+}
+
+void run_body_close(run_body *body, uint32_t now_ms)
+{
+    if (body->is_real) {
+        real_robot_close(now_ms);
+    }
+}
+
+void run_body_pass(run_body *body, uint32_t now_ms)
+{
+    if (!body->is_real) {
+        (void)osiris_simulated_step(&body->simulated, now_ms);
+    }
+}
+
+int run_body_sense(run_body *body, osiris_raw *raw, int32_t device, uint32_t now_ms)
+{
+    const osiris_device *d = &body->plan.devices[device];
+    const osiris_driver *driver = body->drivers.drivers[d->driver];
+    return osiris_kind_is_sensor(d->kind) && driver &&
+           driver->read(body->drivers.contexts[d->driver], raw, d, now_ms) == IRIS_OK;
+}
+
+int run_body_pose(const run_body *body, osiris_pose *pose)
+{
+    if (!body->is_real) {
+        *pose = osiris_track_pose(&body->simulated.track);
+    }
+    return !body->is_real;
 }
 
 static void tell(run_body *body, uint32_t now_ms)
@@ -80,7 +121,10 @@ static void tell(run_body *body, uint32_t now_ms)
                             now_ms,
                             {body->drive.velocity.ahead_q16, body->drive.velocity.left_q16,
                              body->drive.velocity.turn_q8, body->drive.steering}};
-    (void)osiris_simulated_driver.write(&body->simulated, &body->drive_device, &raw, now_ms);
+    const int32_t by = body->drive_device.driver;
+    if (body->drivers.drivers[by]) {
+        (void)body->drivers.drivers[by]->write(body->drivers.contexts[by], &body->drive_device, &raw, now_ms);
+    }
 }
 
 void run_body_drive(run_body *body, int32_t speed_mms, int32_t turn_rate, int32_t elapsed_ms, uint32_t now_ms)

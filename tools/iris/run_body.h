@@ -1,4 +1,4 @@
-/* The robot of `iris run`: its plan from a file, simulated in a world, with its drive's ramps.
+/* The robot of `iris run`: its plan from a file, simulated in a world or the real one, with its drive's ramps.
  */
 #ifndef IRIS_TOOL_RUN_BODY_H
 #define IRIS_TOOL_RUN_BODY_H
@@ -6,6 +6,7 @@
 #include "iris/osiris/robot_text.h"
 #include "iris/osiris/simulated.h"
 #include "iris/osiris/world_text.h"
+#include "real_robot.h"
 
 typedef struct {
     osiris_plan plan;
@@ -15,6 +16,8 @@ typedef struct {
     osiris_world_memory memory;
     osiris_simulated simulated;
     osiris_simulated_device measured[OSIRIS_DEVICES_MAX];
+    int is_real;
+    robot_drivers drivers;
     osiris_drive drive;
     osiris_device drive_device;
 } run_body;
@@ -24,6 +27,15 @@ int run_body_read(run_body *body, const char *robot);
 
 /* Puts it into a world, null: an open floor. Complains; returns 1, or 0. */
 int run_body_place(run_body *body, const char *world, uint32_t seed);
+
+/* Or drives the hardware that the plan names. Complains; returns 1, or 0. */
+int run_body_open(run_body *body);
+void run_body_close(run_body *body, uint32_t now_ms);
+
+/* Time has come to now_ms. A device's new raw value: 0 when there is none. Where it truly is, if that is known. */
+void run_body_pass(run_body *body, uint32_t now_ms);
+int run_body_sense(run_body *body, osiris_raw *raw, int32_t device, uint32_t now_ms);
+int run_body_pose(const run_body *body, osiris_pose *pose);
 
 /* Where it begins. */
 osiris_pose run_body_start(const run_body *body);

@@ -231,9 +231,7 @@ static void take_readings(run_session *s)
 {
     for (int32_t i = 0; i < s->body.plan.device_count; i++) {
         osiris_raw raw;
-        if (osiris_kind_is_sensor(s->body.plan.devices[i].kind) &&
-            osiris_simulated_driver.read(&s->body.simulated, &raw, &s->body.plan.devices[i], s->now_ms) ==
-                IRIS_OK) {
+        if (run_body_sense(&s->body, &raw, i, s->now_ms)) {
             run_session_sense(s, i, &raw);
         }
     }
@@ -249,7 +247,8 @@ static void take_readings(run_session *s)
 
 static void step(run_session *s)
 {
-    (void)osiris_simulated_step(&s->body.simulated, s->now_ms);
+    osiris_pose pose;
+    run_body_pass(&s->body, s->now_ms);
     take_readings(s);
     robot_behaviors_sense(&s->behaviors);
     (void)iris_runtime_step(&s->runtime, s->now_ms);
@@ -258,7 +257,7 @@ static void step(run_session *s)
         run_body_halt(&s->body, s->now_ms);
     }
     run_body_drive(&s->body, s->runtime.motion.speed_mms, s->runtime.motion.turn_rate, TICK_MS, s->now_ms);
-    run_session_walk(s, osiris_track_pose(&s->body.simulated.track));
+    run_session_walk(s, run_body_pose(&s->body, &pose) ? pose : s->senses.pose);
 }
 
 /* In its own time. */
@@ -267,7 +266,10 @@ static void wait_for(const run_session *s, int64_t began_us)
     if (s->speed > 0) {
         const int64_t due = began_us + (int64_t)(s->now_ms * 1000.0 / s->speed);
         while (system_clock_us() < due && !stop_signal_came()) {
-            system_sleep_ms(due - system_clock_us() > 2000 ? 2 : 1);
+            const int64_t run_us = s->body.is_real ? real_robot_run(system_clock_us() - began_us) : 10000;
+            if (run_us >= 2000) {
+                system_sleep_ms(due - system_clock_us() > 2000 ? 2 : 1);
+            }
         }
     }
 }
