@@ -81,6 +81,8 @@ iris_status robot_begin_driving(void *context, const iris_order *order, uint32_t
     b->turned = 0;
     b->begun_ms = b->seen_ms = b->blocked_ms = b->back_until_ms = b->turn_until_ms = now_ms;
     b->has_seen = b->has_plan = 0;
+    b->nearest_ms = now_ms;
+    b->nearest_mm = INT32_MAX;
     b->side = b->away = 1;
     return IRIS_OK;
 }

@@ -20,10 +20,11 @@ typedef struct {
     osiris_pose begun, last;
     int32_t turned;                                     /* angle units since it began */
     uint32_t begun_ms, seen_ms, planned_ms, blocked_ms; /* seen: the line, or the object locked on to */
-    uint32_t back_until_ms, turn_until_ms, look_ms;
-    int32_t away;      /* to which side it turns from what it ran into: -1 left, 1 right */
-    int32_t offset_mm; /* of the line, when it was seen last */
-    int32_t side;      /* on which the line, or the object, was last: -1 left, 1 right */
+    uint32_t back_until_ms, turn_until_ms, look_ms, nearest_ms;
+    int32_t nearest_mm; /* that it has been to the goal, at nearest_ms */
+    int32_t away;       /* to which side it turns from what it ran into: -1 left, 1 right */
+    int32_t offset_mm;  /* of the line, when it was seen last */
+    int32_t side;       /* on which the line, or the object, was last: -1 left, 1 right */
     uint8_t has_seen, has_plan;
     uint8_t sees, looks; /* DETECT */
     osiris_pose object;

@@ -8,6 +8,8 @@
 #define AT_GOAL_MM  40
 #define NEAR_MM     90    /* ahead: it turns away first */
 #define AT_THING_MM 250   /* between its front and a goal that is a thing, at which it stands */
+#define NEXT_TO_MM  500   /* or where another robot stands before it */
+#define WAIT_MS     2000  /* that it tries to get nearer there */
 #define GIVE_UP_MS  20000 /* no way, or none that leads on */
 
 /* To a place on the way. What is right ahead is turned away from, to the freer side. */
@@ -36,11 +38,17 @@ static int is_stuck(robot_behaviors *b, uint32_t now_ms)
     return now_ms - b->blocked_ms > GIVE_UP_MS;
 }
 
-/* At the place, or before the thing that stands there. */
-static int has_arrived(const robot_behaviors *b, int32_t distance)
+/* At the place, or before the thing that stands there, or beside it as near as it gets. */
+static int has_arrived(robot_behaviors *b, int32_t distance, uint32_t now_ms)
 {
     const int32_t between = distance - robot_front_mm(b->senses);
+    if (distance < b->nearest_mm - 10) {
+        b->nearest_mm = distance;
+        b->nearest_ms = now_ms;
+    }
+    const uint32_t waited_ms = now_ms - b->nearest_ms;
     return distance <= AT_GOAL_MM ||
+           (between < AT_THING_MM ? waited_ms > WAIT_MS : between < NEXT_TO_MM && waited_ms > 3 * WAIT_MS) ||
            (between < AT_THING_MM && abs(robot_bearing(b, b->order.a, b->order.b)) < ROBOT_DEGREES(40) &&
             robot_free_mm(b->senses, 0, ROBOT_DEGREES(25)) < between + 30);
 }
@@ -50,7 +58,7 @@ iris_status robot_step_go_to(void *context, uint32_t now_ms, iris_motion *motion
     robot_behaviors *b = context;
     const int32_t distance = robot_distance(b, b->order.a, b->order.b);
     osiris_pose place = {b->order.a, b->order.b, 0};
-    if (has_arrived(b, distance)) {
+    if (has_arrived(b, distance, now_ms)) {
         robot_tell_reached(b, motion, event);
         return IRIS_OK;
     }

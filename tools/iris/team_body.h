@@ -3,8 +3,9 @@
 #ifndef IRIS_TOOL_TEAM_BODY_H
 #define IRIS_TOOL_TEAM_BODY_H
 
+#include "iris/osiris/robot_text.h"
 #include "iris/osiris/simulated.h"
-#include "team_behaviors.h"
+#include "robot_behaviors.h"
 
 typedef struct {
     osiris_plan plan;
@@ -12,10 +13,8 @@ typedef struct {
     osiris_simulated body;
     osiris_simulated_device measured[OSIRIS_DEVICES_MAX];
     osiris_drive drive;
-    osiris_pose odometry;               /* of the last reading */
-    int32_t ranges[OSIRIS_DEVICES_MAX]; /* of range sensors, from the reference point */
-    team_senses senses;
-    int32_t battery_permil;
+    robot_senses senses;
+    robot_behaviors behaviors;
 } team_body;
 
 /* From a robot file; path null: an ordinary small robot. Complains; 1 when done, else 0. */

@@ -20,7 +20,6 @@ typedef struct {
     int32_t index;
     struct simulation *simulation;
     team_body body;
-    team_behaviors behaviors;
     iris_runtime runtime;
     borg_member member;
     borg_bidder bidders[BORG_MEMBER_BIDDERS_MAX];
@@ -136,7 +135,7 @@ static void put_body(osiris_segment *walls, const team_body *body)
 {
     const osiris_pose middle =
         osiris_pose_after(osiris_track_pose(&body->body.track), (osiris_pose){body->plan.ahead_mm, 0, 0});
-    const int32_t radius = body->senses.radius_mm - body->plan.ahead_mm;
+    const int32_t radius = robot_radius_mm(&body->senses);
     for (int32_t k = 0; k < BODY_SIDES; k++) {
         osiris_segment *wall = &walls[k];
         const int32_t turn = 65536 / BODY_SIDES;
@@ -173,7 +172,7 @@ static void let_think(team_machine *m)
         (void)borg_member_event(&m->member, &event);
     }
     (void)borg_member_place(&m->member, m->body.senses.pose.x_mm, m->body.senses.pose.y_mm,
-                            m->body.battery_permil / 10);
+                            robot_battery_permil(&m->body.senses) / 10);
     (void)borg_member_step(&m->member, &m->transport, s->now_ms);
     while (borg_member_order_next(&m->member, &order)) {
         (void)iris_runtime_submit(&m->runtime, 0, &order, 0, s->now_ms);
@@ -303,9 +302,8 @@ static int make_machine(simulation *s, int32_t robot, int32_t group, int32_t uni
         return 0;
     }
     m->world.wall_count += BODY_SIDES * (s->machine_count - 1);
-    team_behaviors_init(&m->behaviors, &m->body.senses, seed);
     m->transport = team_network_transport(&s->network, robot, signal_came, m);
-    int good = iris_runtime_init(&m->runtime, m->behaviors.table, &priority, 1, NULL, 0) == IRIS_OK &&
+    int good = iris_runtime_init(&m->runtime, m->body.behaviors.table, &priority, 1, NULL, 0) == IRIS_OK &&
                borg_member_init(&m->member, &config, 0) == IRIS_OK;
     if (good) {
         (void)borg_member_start(&m->member);

@@ -24,7 +24,6 @@ typedef struct {
     team_link *link;
     team_world world;
     team_body body;
-    team_behaviors behaviors;
     iris_runtime runtime;
     borg_member member;
     borg_bidder bidders[BORG_MEMBER_BIDDERS_MAX];
@@ -140,7 +139,7 @@ static void think(robot *r)
         (void)borg_member_event(&r->member, &event);
     }
     (void)borg_member_place(&r->member, r->body.senses.pose.x_mm, r->body.senses.pose.y_mm,
-                            r->body.battery_permil / 10);
+                            robot_battery_permil(&r->body.senses) / 10);
     look_at_network(r, borg_member_step(&r->member, &r->link->transport, r->now_ms));
     while (borg_member_order_next(&r->member, &order)) {
         (void)iris_runtime_submit(&r->runtime, 0, &order, 0, r->now_ms);
@@ -219,8 +218,7 @@ static int make(robot *r)
         complain(r->wishes->world, "robot %d cannot start there", (int)task->index + 1);
         return 0;
     }
-    team_behaviors_init(&r->behaviors, &r->body.senses, seed);
-    if (iris_runtime_init(&r->runtime, r->behaviors.table, &priority, 1, NULL, 0) != IRIS_OK ||
+    if (iris_runtime_init(&r->runtime, r->body.behaviors.table, &priority, 1, NULL, 0) != IRIS_OK ||
         borg_member_init(&r->member, &config, 0) != IRIS_OK) {
         complain(r->wishes->script, "the chunk of line %d needs more than a robot has", (int)r->report.ref);
         return 0;
