@@ -70,7 +70,11 @@ static int write_folder(const wishes *w, const iris_rectified *made, const pictu
     const iris_pair flat = {{camera, camera}, {0, 0, 0}, {made->baseline, 0, 0}};
     char path[4096];
     (void)system_make_folder(w->folder);
-    int done = strlen(w->folder) < sizeof path - 32;
+    if (strlen(w->folder) >= sizeof path - 32) {
+        complain("-o", "the name of the folder is too long");
+        return 0;
+    }
+    int done = 1;
     for (int i = 0; i < 2 && done; i++) {
         snprintf(path, sizeof path, "%s/%s%s", w->folder, sides[i],
                  extension_of(w->inputs[i], &views[i].image));
