@@ -4,7 +4,7 @@
  * be lost, come twice, or in another order, whatever the network is like. Who sends may hear itself or not. What is received
  * comes from anywhere: it is data to check, not to trust.
  *
- * in_process.h fills it for tests and simulators.
+ * in_process.h fills it for tests and simulators, iris/udp.h for one network, iris/mqtt.h through a broker.
  */
 #ifndef IRIS_BORG_TRANSPORT_H
 #define IRIS_BORG_TRANSPORT_H
