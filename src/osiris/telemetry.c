@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-
 static const char start[] = "$PIRIV";
 static const char hex_digits[] = "0123456789ABCDEF";
 
