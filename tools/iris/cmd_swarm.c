@@ -18,7 +18,7 @@ static const char help[] =
     "A whole team of robots, as a script of BorgCode has it, in a simulated world: what each robot does, "
     "where it\n"
     "goes, and what they tell each other.\n\n"
-    "  --simulate       in a simulated world (real robots: iris borg run, once for each)\n"
+    "  --simulate       in a simulated world, in one process (over a network: iris borg run)\n"
     "  --robots FILES   robot files with commas between, one robot each in the order of the script's\n"
     "                   lines, over and over (default: a small robot with two wheels)\n"
     "  --world FILE     walls, painted lines, objects, and where robots start (default: a room of 6 by 4 "
@@ -161,7 +161,7 @@ int cmd_swarm(int argc, char **argv)
         return EXIT_BAD_CALL;
     }
     if (!simulate) {
-        complain("--simulate", "is needed: robots outside of the simulator are run by iris borg run");
+        complain("--simulate", "is needed: a team over a network is run by iris borg run");
         return EXIT_BAD_CALL;
     }
     if (w.output && picture_container_of(w.output) == CONTAINER_UNKNOWN) {
