@@ -21,7 +21,8 @@ typedef struct {
     uint32_t loss, twice; /* of 1000 */
     uint32_t delay_ms;    /* at most; but one of 50 takes ten times as long */
     int32_t ends;
-    uint8_t part[NET_ENDS]; /* two ends hear each other in the same part */
+    uint8_t part[NET_ENDS];  /* two ends hear each other in the same part, */
+    uint16_t deaf[NET_ENDS]; /* but for those that one does not hear: bits */
     int32_t flying;
     net_datagram datagrams[NET_FLYING];
 } lossy_network;
@@ -38,7 +39,8 @@ static inline uint32_t net_below(lossy_network *net, uint32_t end)
 static inline void net_send(lossy_network *net, int32_t from, const uint8_t *bytes, uint32_t now)
 {
     for (int32_t to = 0; to < net->ends; to++) {
-        if (to == from || net->part[to] != net->part[from] || net_below(net, 1000) < net->loss) {
+        if (to == from || net->part[to] != net->part[from] || (net->deaf[to] >> from & 1) ||
+            net_below(net, 1000) < net->loss) {
             continue;
         }
         for (uint32_t copies = net_below(net, 1000) < net->twice ? 2 : 1; copies > 0; copies--) {

@@ -1,4 +1,5 @@
-/* IRIS - elections: which k of a group's n machines act, told by each one to itself, over a network that loses messages.
+/* IRIS - elections: which k of a group's n machines act, found by each one for itself, over a network that loses
+ * messages.
  *
  *     borg_election_init(&e, bidders, &config, now_ms);                      when the machine starts
  *     borg_election_begin(&e, round, borg_bid(distance_mm, percent), now_ms);  would act, like the others of its group
@@ -8,12 +9,14 @@
  *
  * A machine acts only with the grants of all machines of its group that it knows to be alive, and its own. Each machine
  * has k grants to give. A grant is a lease: who gave it keeps it for LEASE after the last message of the one that holds
- * it; who holds it counts from when it sent the message that was answered, and ends MARGIN earlier. So a grant is never
- * held by both, whatever is lost, late, doubled, or out of order. Who should have one is for the bids to say: the
- * smallest distance first, then the fullest battery, then the lowest unit; and those that act before all others.
+ * it; who holds it counts from when it sent the message that was answered, and ends MARGIN earlier. So a
+ * grant that is held is always kept, whatever is lost, late, doubled, or out of order. Who should have one is for the
+ * bids to say: the smallest distance first, then the fullest battery, then the lowest unit; and those that act before
+ * all others.
  * A machine that knows of k better ones asks nobody, and gives back what it has.
  *
- * Promised, whatever the network does, as long as clocks differ by less than 5 %:
+ * Promised, whatever the network does, as long as clocks differ by less than 2 %, step is called in time,
+ * and no datagram to a machine's earlier start comes to it LEASE after the next one:
  *   - For every machine x, of the machines that have heard x within ALIVE, at most k act at once; x may be one of them.
  *     So no more than k act in a group whose machines hear each other; groups that are apart choose for themselves.
  *   - But where x was not heard for ALIVE, or started anew, and is heard again by one that acts: that one may go on for
@@ -24,18 +27,18 @@
  * Not promised, but likely:
  *   - That machines that are together hear each other within ALIVE: that takes one of 33 messages. With half of all
  *     lost, a silence so long begins once in 1.7e10 messages; then they are apart, as far as anyone can tell.
- *   - That k act: within a second of BEGIN when nothing is lost and all are alive; with half of all messages lost within
- *     about three; ALIVE later where one does not answer, LEASE and a little later where a winner dies.
+ *   - That k act: within a second of BEGIN when nothing is lost and all are alive; with half of all messages lost
+ *     within about three; ALIVE later where one does not answer, LEASE and a little later where a winner dies.
  *   - That the best k act: those whose bids have not come within SETTLE are not waited for, and a machine that acts is
  *     not replaced by a better one that comes late.
- *   - A grant that is not renewed within LEASE is lost, which with half of all lost happens to one holder in some
- *     hours; then it stops, and asks again.
+ *   - That a machine that acts keeps its grants: one that is not renewed within LEASE is lost; then it stops, and asks
+ *     again. So it does where x hears it no longer and it still hears x.
  * Not possible: that two machines that cannot hear each other agree, or that one that hears x, but is not heard by it,
  * acts: it has no grant of x, and must not go without.
  *
  * The method is that of G. Ricart and A. K. Agrawala (An optimal algorithm for mutual exclusion, 1981) with k entries
- * (K. Raymond, 1989) and leases (C. Gray and D. Cheriton, 1989). tests/borg/election.pml is its model: all states of four
- * machines are looked at there.
+ * (K. Raymond, 1989) and leases (C. Gray and D. Cheriton, 1989). tests/borg/election.pml is its model: all states of
+ * four machines that choose one, and of three that choose two, are looked at there.
  */
 #ifndef IRIS_BORG_ELECTION_H
 #define IRIS_BORG_ELECTION_H
