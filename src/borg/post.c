@@ -125,6 +125,7 @@ static void take_acks(borg_post *post, borg_sender *s, const borg_message *messa
 int borg_post_hear(borg_post *post, const borg_message *message, uint32_t now_ms, borg_signal *signal)
 {
     if (!post || !message || !signal || message->from.script != post->me.script || message->from.ref == 0 ||
+        message->from.unit == 0 ||
         (message->from.ref == post->me.ref && message->from.unit == post->me.unit)) {
         return 0;
     }
