@@ -13,7 +13,7 @@ say $? "groups, and what their chunks cost, in JSON"
 works "a time-out" check --json --timeout 7 "$scripts/explore.borg"
 grep -q '"ref":20,"units":4,"timeout_s":7,' out; say $? "--timeout where the script names none"
 works "another time-out" check --json --timeout 7 "$scripts/patrol.borg"
-grep -q '"ref":10,"units":2,"timeout_s":300,.*"ref":20,"units":3,"timeout_s":120,' out; say $? "what the script names stays"
+grep -q '"ref":10,"units":2,"timeout_s":120,.*"ref":20,"units":3,"timeout_s":120,' out; say $? "what the script names stays"
 number() { sed -n 's/.*"script":\([0-9]*\).*/\1/p' out; }
 { echo '// mine'; cat "$scripts/explore.borg"; } > commented.borg
 works "a comment" check --json commented.borg

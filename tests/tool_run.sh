@@ -120,6 +120,7 @@ refuses "no journal" 1 'nowhere: ' --robot "$rover" --replay nowhere
 : > empty.journal
 run --robot "$rover" --replay empty.journal
 [ $code -eq 1 ] && grep -q 'line 1: the journal ends early' err; say $? "an empty journal"
+refuses "a picture that is none" 2 'a picture.s name ends' --robot "$rover" --script drive.script -o path.txt
 refuses "no robot" 2 '^iris run: --robot: ' --script drive.script
 refuses "nobody who orders" 2 'nobody gives orders' --robot "$rover"
 if [ -z "$NOT_HERE" ]; then

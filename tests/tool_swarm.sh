@@ -91,6 +91,8 @@ take_apart
 awk '$4 == "VOTE_WIN" { n++; if (!at) at = $1 } $4 == "OBJ_DETECT_TRUE" && $2 == 10 && $5 == 0 && !seen { seen = $1 } END { exit !(n > 0 && at > seen && seen > 0) }' signals.txt
 say $? "one of three goes once a patrol has seen the object"
 awk '{ if ($4 == "VOTE_WIN" && $1 < 30) n++ } END { exit n != 1 }' signals.txt; say $? "exactly one, before anything else happens"
+[ "$(awk '$3 == "following"' team.txt | wc -l)" -eq 2 ]; say $? "both patrols go on"
+awk '$4 == "VOTE_WIN" { n++ } END { exit n < 3 }' signals.txt; say $? "and one goes each time that they see the object anew"
 
 # One behavior on three drives: the same course, by the line and by places.
 cat > line.borg <<'END_OF_SCRIPT'

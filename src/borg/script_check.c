@@ -203,6 +203,34 @@ static int check_effects(const borg_script *s, borg_problem *problem)
     return 1;
 }
 
+/* 0 where none is named: the same for all that name none. */
+static uint16_t timeout_of(const borg_script *s, uint16_t ref)
+{
+    const borg_group *group = borg_group_find(s, ref);
+    return group->timeout_s ? group->timeout_s : s->timeout_s;
+}
+
+/* Each machine counts its own time: another group's TimeOut is the machine's own, which is meant where both are equal. */
+static int check_clocks(const borg_script *s, borg_problem *problem)
+{
+    for (int32_t i = 0; i < s->effect_count; i++) {
+        const borg_effect *e = &s->effects[i];
+        for (int32_t branch = e->branch; branch >= 0; branch = s->guards[branch / 2].around) {
+            const borg_guard *guard = &s->guards[branch / 2];
+            for (int32_t t = guard->first; t < guard->first + guard->count; t++) {
+                if (s->terms[t].op == BORG_TIME_OUT &&
+                    timeout_of(s, s->terms[t].ref) != timeout_of(s, e->ref)) {
+                    return fail(
+                        problem, s->term_places[t],
+                        "expected a TimeOut of the group that acts, or of one with the same TIMEOUT: each "
+                        "machine counts its own time");
+                }
+            }
+        }
+    }
+    return 1;
+}
+
 static void find_detecting(borg_script *s)
 {
     for (int32_t i = 0; i < s->group_count; i++) {
@@ -220,7 +248,8 @@ static void find_detecting(borg_script *s)
 int borg_script_check(borg_script *s, borg_problem *problem)
 {
     find_detecting(s);
-    if (!check_effects(s, problem) || !check_terms(s, problem) || !check_actions(s, problem)) {
+    if (!check_effects(s, problem) || !check_terms(s, problem) || !check_actions(s, problem) ||
+        !check_clocks(s, problem)) {
         return 0;
     }
     for (int32_t i = 0; i < s->guard_count; i++) {

@@ -280,6 +280,20 @@ static void chunks_beyond_a_machine(void **state)
     }
 }
 
+static void each_machine_counts_its_own_time(void **state)
+{
+    (void)state;
+#define STOPS " UNITS=4: MapBuild;\nIF (" TIMED ") [\nIF (" SEEN ") [ REF(20):UNITS(1).Stop ] ] END"
+    assert_int_equal(read_text("START TIMEOUT=9\n10 UNITS=1 TIMEOUT=9: ObjDetect;\n20" STOPS), IRIS_OK);
+    assert_int_equal(read_text("START\n10 UNITS=1 TIMEOUT=9: ObjDetect;\n20" STOPS), IRIS_ERR_DATA);
+    assert_int_equal(problem.line, 4);
+    assert_int_equal(problem.column, 5);
+    assert_non_null(strstr(problem.expected, "its own time"));
+    assert_int_equal(
+        read_text("START\n10 UNITS=1 TIMEOUT=9: ObjDetect;\nIF (" TIMED ") [ REF(10):UNITS(1).Stop ] END"),
+        IRIS_OK);
+}
+
 static void formatted(void **state)
 {
     (void)state;
@@ -325,6 +339,7 @@ int main(void)
         cmocka_unit_test(example_of_the_report),
         cmocka_unit_test(extensions),
         cmocka_unit_test(wrong_scripts),
+        cmocka_unit_test(each_machine_counts_its_own_time),
         cmocka_unit_test(limits),
         cmocka_unit_test(chunks_that_are_too_much),
         cmocka_unit_test(chunks_beyond_a_machine),

@@ -34,7 +34,8 @@ static const char help[] =
     "  condition = REF(line):UNITS(k).predicate [==TRUE | ==FALSE], with AND, OR, NOT, and ( )\n"
     "  predicate = ObjDetect | TimeOut | Reached | LineEnd | Bumped | BatteryLow\n\n"
     "A number at the beginning of a line is that line's, and REF names it; // begins a comment. TIMEOUT is\n"
-    "in seconds, 60 where none is named.\n\n"
+    "in seconds, 60 where none is named. Each machine counts its own time from its last ResetTime, so a\n"
+    "group that reacts to the TimeOut of another one needs the same TIMEOUT.\n\n"
     "example: iris borg decompose examples/scripts/explore.borg\n";
 
 typedef struct {

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "complain.h"
 #include "json.h"
+#include "picture_write.h"
 #include "run_picture.h"
 #include "run_session.h"
 #include "serial_orders.h"
@@ -23,7 +24,8 @@ static const char help[] =
     "  --real          the robot itself, not a simulated one: by the serial ports and GPIO lines that FILE "
     "names\n"
     "  --script FILE   timed orders: lines of SECONDS ORDER\n"
-    "  --console       orders from standard input, one on a line\n"
+    "  --console       orders from standard input, one on a line; its end is a stop for what has no end of "
+    "its own\n"
     "  --serial DEV    command sentences ($PIRIS, iris follow writes them) at 115200 baud; each is good for "
     "0.5 s\n"
     "  --lease S       an order of script and console that has no end of its own is good for S seconds only, "
@@ -42,7 +44,7 @@ static const char help[] =
     "                  is named where they differ, or where the journal is damaged or ends early\n"
     "  --json          one JSON object: time_s, orders, commands, check (of all commands), x_mm, y_mm, "
     "heading,\n"
-    "                  events (at_s, event, x, y), and of a replay: same\n"
+    "                  events (at_s, event, and x, y where it has a place), and of a replay: same\n"
     "  -o PICTURE      the driven path from above; with what was ordered to be mapped\n\n"
     "  stop               everything, at once                  follow [MM/S]      the line\n"
     "  go MM [MM/S]       ahead, or back                       lock [MM/S]        on to the thing that it "
@@ -58,6 +60,12 @@ typedef struct {
     int32_t lease_ms, time_s, speed, seed;
 } wishes;
 
+static int has_place(iris_event_kind kind)
+{
+    return kind == IRIS_EVENT_OBJECT_DETECTED || kind == IRIS_EVENT_OBJECT_LOST ||
+           kind == IRIS_EVENT_REACHED || kind == IRIS_EVENT_LINE_END || kind == IRIS_EVENT_BUMPED;
+}
+
 static void write_events(json_writer *json, const run_session *s)
 {
     json_key(json, "events");
@@ -69,10 +77,12 @@ static void write_events(json_writer *json, const run_session *s)
         json_number(json, e->at_ms / 1000.0, 3);
         json_key(json, "event");
         json_string(json, iris_event_name((int32_t)e->event.kind));
-        json_key(json, "x");
-        json_integer(json, e->event.x);
-        json_key(json, "y");
-        json_integer(json, e->event.y);
+        if (has_place(e->event.kind)) {
+            json_key(json, "x");
+            json_integer(json, e->event.x);
+            json_key(json, "y");
+            json_integer(json, e->event.y);
+        }
         json_close(json, '}');
     }
     json_close(json, ']');
@@ -193,6 +203,8 @@ static int are_good(const wishes *w)
         complain("--real", "the world is what it is: not with --world, --speed, or --replay");
     } else if (!w->replay && !w->script && !w->console && !w->serial) {
         complain(NULL, "nobody gives orders: --script, --console, or --serial is needed (see --help)");
+    } else if (w->output && picture_container_of(w->output) == CONTAINER_UNKNOWN) {
+        complain(w->output, "a picture's name ends with .bmp, .ppm, .pgm, or .pnm");
     } else {
         return 1;
     }

@@ -26,7 +26,8 @@ static const char help[] =
     "  --timeout S      seconds until a time-out where the script names none (default 60)\n"
     "  --seed N         of all noise and of what is lost (default 1): the same seed is the same run\n"
     "  --loss PERCENT   of what robots tell each other, lost on the way to each of them, 0 to 90 (default "
-    "0)\n"
+    "0);\n"
+    "                   elections are made for up to 50\n"
     "  --json           one JSON object\n"
     "  -o PICTURE       the paths from above\n"
     "  --timeline PICTURE|FILE\n"
@@ -38,6 +39,7 @@ static const char help[] =
     "path_step_s;\n"
     "time_s; and signals, each with at_s, unit and ref of who took it, from and from_unit (0: its own), and "
     "signal.\n\n"
+    "It ends when all robots have stood still for 6 s, or after twice the longest time-out and 12 s.\n\n"
     "example: iris swarm examples/scripts/explore.borg --simulate -o paths.bmp --timeline signals.bmp\n";
 
 #define PATH_EVERY 5 /* of the record's places one is in JSON */

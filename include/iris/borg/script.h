@@ -86,7 +86,8 @@ typedef struct {
 } borg_script;
 
 /* Reads and checks a script: unknown REFs, more winners than units, targets of groups that do not detect, blocks
- * that can never run, numbers that do not rise, what stands after END, and groups whose chunk would be too long, or more
+ * that can never run, a TimeOut of a group with another TIMEOUT than the one that acts, numbers that do not rise, what
+ * stands after END, and groups whose chunk would be too long, or more
  * than a member (member.h) can run. IRIS_ERR_ARG: a null pointer, or more than
  * BORG_TEXT_BYTES_MAX bytes; IRIS_ERR_DATA: *problem says where and what, script is undefined.
  * O(length + blocks * 2^BORG_DIFFERENT_MAX). */
