@@ -81,8 +81,13 @@ void iris_mqtt_take(iris_mqtt *mqtt, const uint8_t *bytes, size_t count, int kep
 
 void iris_mqtt_defaults(iris_mqtt_config *config)
 {
-    if (config) {
-        *config = (iris_mqtt_config){NULL, IRIS_MQTT_PORT, "iris", 500, 10, NULL, 0, -1};
+    if (config) { /* one by one: of a whole one with an address in it some compilers keep a copy that can be written */
+        memset(config, 0, sizeof *config);
+        config->port = IRIS_MQTT_PORT;
+        config->topic = "iris";
+        config->reconnect_ms = 500;
+        config->keep_alive_s = 10;
+        config->kept = -1;
     }
 }
 
