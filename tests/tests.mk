@@ -222,7 +222,7 @@ verify-fuzz: $(FUZZ_BIN)
 # What speaks to the host (real_time) takes the host's time, all else the guest's own.
 in_rig      = $(patsubst tests/%.c,$(OUT)/tests/%,$(1))
 RIG_SRC    := $(wildcard tests/linux/*.c $(foreach d,real_time guest,tests/rig/$(d)/*.c tests/rig/$(d)/*.sh))
-RIG_SLOW   := $(addprefix tests/rig/real_time/,gpio_follow.c main_job.sh camera_commands.sh)
+RIG_SLOW   := $(addprefix tests/rig/,$(addprefix real_time/,gpio_follow.c main_job.sh camera_commands.sh) guest/borg_networks.sh)
 RIG_GPIO   := $(filter tests/linux/gpio% tests/rig/guest/gpio% tests/rig/real_time/gpio%,$(RIG_SRC))
 RIG_SOAK   := $(wildcard tests/rig/soak/*.c tests/rig/soak/*.sh)
 RUN        ?= tests/rig/real_time/rig.sh

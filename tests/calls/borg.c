@@ -97,14 +97,14 @@ static void script_decompose(void)
 
 static void chunk_check(void)
 {
-    size_t length;
+    size_t length = 0;
     const uint8_t *chunk = OR_NULL(any_chunk(&length));
     CALL(borg_chunk_check(chunk, length));
 }
 
 static void chunk_write_text(void)
 {
-    size_t bytes;
+    size_t bytes = 0;
     const uint8_t *chunk = OR_NULL(any_chunk(&bytes));
     const size_t capacity = draw_below(1000);
     char *text = OR_NULL(draw_state(NULL, capacity));
