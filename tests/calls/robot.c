@@ -302,9 +302,10 @@ static osiris_remote *any_remote(const osiris_device **device)
     osiris_plan made = plan_of(made_devices);
     osiris_remote *remote = draw_state(NULL, sizeof *remote);
     osiris_remote_device *devices = draw_state(NULL, DEVICES * sizeof *devices);
-    made.devices = draw_given(made_devices, sizeof made_devices);
+    const osiris_device *given = draw_given(made_devices, sizeof made_devices);
+    made.devices = given;
     const osiris_plan *plan = draw_given(&made, sizeof made);
-    *device = &made.devices[draw_below(DEVICES)];
+    *device = given + draw_below(DEVICES);
     return osiris_remote_init(remote, devices, plan, 0) == IRIS_OK ? OR_NULL(remote) : NULL;
 }
 

@@ -6,22 +6,22 @@
 
 static uint32_t lines_now;
 static int32_t offsets[IRIS_GPIO_LINES_MAX], is_held;
-static iris_status chip;
+static iris_status answer;
 
-iris_status iris_gpio_open(iris_gpio *gpio, const char *name, const iris_gpio_line *lines, int32_t count,
+iris_status iris_gpio_open(iris_gpio *gpio, const char *chip, const iris_gpio_line *lines, int32_t count,
                            int32_t reconnect_ms, uint32_t now_ms)
 {
     (void)gpio;
     (void)reconnect_ms;
     (void)now_ms;
-    assert_string_equal(name, "mychip");
+    assert_string_equal(chip, "mychip");
     for (int32_t i = 0; i < count; i++) {
         offsets[i] = lines[i].offset;
         assert_int_equal(lines[i].safe, 0);
     }
-    is_held = chip == IRIS_OK || chip == IRIS_ERR_IO;
+    is_held = answer == IRIS_OK || answer == IRIS_ERR_IO;
     lines_now = 0;
-    return chip;
+    return answer;
 }
 
 iris_status iris_gpio_set(iris_gpio *gpio, uint32_t values, uint32_t now_ms)
@@ -29,8 +29,8 @@ iris_status iris_gpio_set(iris_gpio *gpio, uint32_t values, uint32_t now_ms)
     (void)gpio;
     (void)now_ms;
     assert_int_equal(is_held, 1);
-    lines_now = chip == IRIS_OK ? values : 0;
-    return chip;
+    lines_now = answer == IRIS_OK ? values : 0;
+    return answer;
 }
 
 void iris_gpio_close(iris_gpio *gpio)
@@ -55,7 +55,7 @@ static const char text[] =
 static void begin(iris_status opens)
 {
     osiris_problem problem;
-    chip = opens;
+    answer = opens;
     assert_int_equal(osiris_robot_read_text(&plan, devices, OSIRIS_DEVICES_MAX, &problem, text, strlen(text)),
                      IRIS_OK);
     assert_int_equal(osiris_robot_init(&robot, readings, &plan), IRIS_OK);
@@ -115,7 +115,7 @@ static void it_stands_when_left_alone(void **state)
     }
     for (int64_t us = 250000; us < 2000000; us += 500) {
         (void)osiris_gpio_drive_run(&motors, us);
-        assert_true(us < 700000 || us <= 760000 || lines_now == 0);
+        assert_true(us <= 760000 || lines_now == 0);
         assert_true(us < 300000 || us > 740000 || lines_now != 0); /* full speed has no edges */
     }
 }
@@ -126,16 +126,16 @@ static void a_chip_that_goes(void **state)
     begin(IRIS_OK);
     assert_int_equal(osiris_robot_drive(&robot, 500, 0, 0), IRIS_OK);
     assert_int_equal(osiris_robot_drive(&robot, 500, 0, 100), IRIS_OK);
-    chip = IRIS_ERR_IO;
+    answer = IRIS_ERR_IO;
     (void)osiris_gpio_drive_run(&motors, 130000);
     assert_int_equal(osiris_robot_drive(&robot, 500, 0, 140), IRIS_ERR_IO);
-    chip = IRIS_OK;
+    answer = IRIS_OK;
     (void)osiris_gpio_drive_run(&motors, 150000);
     assert_int_equal(osiris_robot_drive(&robot, 500, 0, 160), IRIS_OK);
     assert_true(lines_now != 0);
     osiris_robot_close(&robot, 200);
     begin(IRIS_ERR_IO); /* not there yet: it goes on trying */
-    chip = IRIS_OK;
+    answer = IRIS_OK;
     (void)osiris_gpio_drive_run(&motors, 10000);
     assert_int_equal(osiris_robot_drive(&robot, 500, 0, 20), IRIS_OK);
     osiris_robot_close(&robot, 200);
